@@ -35,7 +35,9 @@ test('a start that the verdict names is set at a press, and undone at another', 
   await press.press('Enter')
   const back = bar.getByRole('button', { name: 'Undo' })
   assert.equal(await back.evaluate((one) => one === document.activeElement), true, 'the next key undoes it')
-  assert.equal((await bar.boundingBox()).y, place.y, 'the press stays where it was while the next verdict comes')
+  // A line with an italic letter is a fraction of a pixel higher, which nobody sees.
+  const moved = Math.abs((await bar.boundingBox()).y - place.y)
+  assert.ok(moved < 0.5, `the press stays where it was while the next verdict comes: ${moved}`)
   const { params } = await until(it, (frame) => frame.params.start && frame.judgement, 'the verdict from the start on')
   const [x, y] = params.start
   assert.ok(Math.hypot(x - 10, y - 7) < 0.5, `the robot started at 10 m, 7 m: ${x}, ${y}`)

@@ -98,7 +98,7 @@ test('what is the reader’s to say has no press: a unit, a sign, names, what li
   assert.equal(set({ fault: 'scale', name: 'speedScale', sizes: [size(-0.72)], times }), null)
   const most = { ...size(-0.9), end: true }
   assert.equal(set({ fault: 'scale', name: 'scale', sizes: [most], times: { ...times, unit: null } }), null)
-  for (const fault of ['mirrored', 'exchanged']) assert.equal(set({ fault, name: null, sizes: [] }), null)
+  for (const fault of ['mirrored', 'exchanged', 'displaced']) assert.equal(set({ fault, name: null, sizes: [] }), null)
 })
 
 test('two that the readings do not tell apart have a press each, and what is none has none', () => {

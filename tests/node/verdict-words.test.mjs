@@ -199,6 +199,18 @@ test('landmarks that are exchanged have the names of their file, or their number
   assert.match(sentence(exchanged, false), /^Landmarks 1 and 2 are taken for one another: exchange their numbers where/)
 })
 
+test('a landmark that stands elsewhere is said with how far, and where its place is to be written', () => {
+  const sizes = [
+    { now: 3, value: 4.2, sigma: 0.031, end: false },
+    { now: 1, value: 0.5, sigma: 0.04, end: false },
+  ]
+  const elsewhere = suspect({ fault: 'displaced', name: null, sizes, landmarks: [2] })
+  const named = { motion: 'velocity', names: ['A1', 'A3'] }
+  const said = 'stands 1.30 m beside its place: write 4.200 ± 0.031 m and 0.500 ± 0.040 m where that is said.'
+  assert.equal(sentence(elsewhere, false, named), `Landmark A3 ${said}`)
+  assert.equal(sentence(elsewhere, false), `Landmark 2 ${said}`)
+})
+
 test('a start is said with how well it is known, and far from its origin with its digits', () => {
   const size = (value, sigma) => ({ now: 0, value, sigma })
   const far = suspect({

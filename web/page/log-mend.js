@@ -32,7 +32,7 @@ const said = (size, times = 1) => Number((rounded(size, times) / times).toPrecis
  * @returns {{ press: string, patch: Patch } | null}
  */
 export function remedy({ fault, name, with: other, sensor, sizes, times: read }, params, truth) {
-  if (fault === 'mirrored' || fault === 'exchanged') return null
+  if (['mirrored', 'exchanged', 'displaced'].includes(fault)) return null
   if (fault === 'tails')
     return { press: 'Switch the gate on', patch: { gate: { ...bySensor(params.gate), [sensor ?? 'fix']: GATE } } }
   if (fault === 'start') {

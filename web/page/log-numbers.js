@@ -1,7 +1,6 @@
 /** The numbers that the filter is told of a log: their words, how far their sliders go, and what they are set to. */
 
 import { fixed } from '../draw/numbers.js'
-import { percent } from '../widgets/robot-log/words.js'
 
 const DEGREE = Math.PI / 180
 /** @param {number} from @param {number} to decimal logarithms */
@@ -221,7 +220,7 @@ export function settingsOf({ params, summary }, contents = null) {
     // A factor on what no reading brings was not told either.
     const told = numbers.filter(([name]) => !SAID[name]?.[1] || (contents && acts(contents, name)))
     rows.push([`${words}: used`, value(on) ? 'yes' : 'no'], ...told.map((number) => said(words, number)))
-    rows.push([`${words}: gate`, gate === null ? 'off' : percent(gate)])
+    rows.push([`${words}: gate`, gate === null ? 'off' : `${Number((100 * gate).toPrecision(6))} %`])
     rows.push([`${words}: least gap in time, s`, digits(bySensor(params.every)[name] ?? 0)])
     if (on === 'sightings') rows.push([`${words}: learn the scale ε`, params.learn ? 'yes' : 'no'])
   }

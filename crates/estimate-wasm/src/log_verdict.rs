@@ -15,18 +15,20 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 /** A fault that was looked for in a log. */
 export interface LogSuspect {
-    fault: 'start' | 'clock' | 'bias' | 'scale' | 'tails' | 'sigma' | 'turned' | 'mirrored' | 'exchanged';
+    fault: 'start' | 'clock' | 'bias' | 'scale' | 'tails' | 'sigma' | 'turned' | 'mirrored' | 'exchanged'
+        | 'displaced';
     /** The parameter that mends it; null of the start, of outliers, which a gate refuses, and where none does. */
     name: string | null;
     /** The parameter that mends it together with that one; of three sensors that are late together the second. */
     with: string | null;
     /** The sensor that has outliers, else null. */
     sensor: 'fix' | 'heading' | 'range' | 'bearing' | null;
-    /** The ids of two landmarks that are exchanged, else null. */
-    landmarks: [number, number] | null;
+    /** The ids of two landmarks that are exchanged, or of the one that stands elsewhere, else null. */
+    landmarks: number[] | null;
     /**
      * As it is set, where the readings are likeliest, and how well they tell it, null where they do not: of each
-     * parameter; of the start x, y and θ in metres and radians; of outliers their share. Empty where nothing is set.
+     * parameter; of the start x, y and θ in metres and radians; of a landmark x and y; of outliers their share. Empty
+     * where nothing is set.
      */
     sizes: {
         now: number; value: number; sigma: number | null;
@@ -170,7 +172,7 @@ fn suspect(suspect: &Suspect) -> JsValue {
         ("name", suspect.number.map_or(JsValue::NULL, |number| number.name().into())),
         ("with", suspect.with.map_or(JsValue::NULL, |number| number.name().into())),
         ("sensor", sensor.map_or(JsValue::NULL, Into::into)),
-        ("landmarks", suspect.landmarks.map_or(JsValue::NULL, |ids| list(&ids.map(f64::from)))),
+        ("landmarks", landmarks(&suspect.landmarks)),
         ("sizes", suspect.sizes.iter().map(size).collect::<Array>().into()),
         ("times", suspect.times().map_or(JsValue::NULL, times)),
         ("claims", suspect.claims.map_or(JsValue::NULL, |claims| list(&claims))),
@@ -181,6 +183,11 @@ fn suspect(suspect: &Suspect) -> JsValue {
         ("flat", suspect.flat.map_or(JsValue::NULL, |flat| list(&flat))),
         ("mended", against(suspect.mended)),
     ])
+}
+
+fn landmarks(ids: &[u32]) -> JsValue {
+    let ids: Vec<f64> = ids.iter().copied().map(f64::from).collect();
+    if ids.is_empty() { JsValue::NULL } else { list(&ids) }
 }
 
 fn gap(gaps: &Gaps) -> JsValue {

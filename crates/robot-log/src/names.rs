@@ -67,7 +67,9 @@ impl Name {
 pub(crate) fn candidates(value: &str, quantity: Quantity, names: &[Name]) -> Vec<usize> {
     let forbidden = FORBIDDEN.iter().find(|(name, _)| *name == value).map_or(&[][..], |(_, words)| *words);
     let fits: Vec<usize> = (0..names.len())
-        .filter(|i| !names[*i].has_one(forbidden) && !is_acceleration(&names[*i]))
+        .filter(|i| !names[*i].has_one(forbidden))
+        // How accurate is no acceleration: `h_acc`.
+        .filter(|i| value.starts_with("sigma") || !is_acceleration(&names[*i]))
         .filter(|i| value.starts_with("sigma") || !is_spread(&names[*i]))
         .collect();
     for way in ways(value) {

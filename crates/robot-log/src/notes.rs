@@ -257,7 +257,7 @@ fn unread(rows: &[Row]) -> Vec<String> {
 /// A last row that is not read.
 pub(crate) fn cut(file: &str, line: u32) -> String {
     format!(
-        "{file}: it ends within line {line}, whose last number has fewer digits than those above: that row may be cut, \
+        "{file}: it ends within line {line}, which has fewer fields or digits than those above: that row may be cut, \
          and is left out."
     )
 }

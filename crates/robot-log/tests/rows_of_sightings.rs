@@ -45,7 +45,7 @@ fn a_last_row_that_may_be_cut_is_left_out_and_it_is_said() {
     let read = |text: &str| read(&[("drive.csv", DRIVE), ("seen.csv", text)]).expect("sound");
     let cut = read(SEEN);
     assert_eq!(cut.log.drive.rows.len(), 11);
-    let said = "seen.csv: it ends within line 7, whose last number has fewer digits than those above";
+    let said = "seen.csv: it ends within line 7, which has fewer fields or digits than those above";
     assert!(cut.notes.iter().any(|note| note.starts_with(said)), "{:?}", cut.notes);
     // A line that ends is whole, and so is one whose last number has as many digits.
     for whole in [format!("{SEEN}\n"), format!("{SEEN}3")] {

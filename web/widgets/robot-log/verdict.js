@@ -1,9 +1,9 @@
 /** The verdict on a log in words: which fault the readings tell, how large it is, and what mends it. */
 
 import { fixed } from '../../draw/numbers.js'
-import { landmarkName } from './looks.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { hides, sigmaKind, sigmaSentence } from './sigmas.js'
+import { displaced, exchanged } from './misplaced.js'
 import { brief, claimed, digits, plusMinus } from './sized.js'
 import { startSentence } from './start.js'
 
@@ -198,20 +198,15 @@ export function kind({ fault, name, with: other, sensor, sizes }) {
   if (fault === 'sigma') return sigmaKind(name)
   if (fault === 'mirrored') return 'the sign of the turns'
   if (fault === 'exchanged') return 'an exchange of two landmarks'
+  if (fault === 'displaced') return 'another place of a landmark'
   return other ? 'scale and offset of the ranges together' : NAMES[name ?? '']
 }
 
 /** What is wrong, and what to do. @param {Suspect} suspect @param {boolean} truth @param {Log | null} [log] */
 export function sentence(suspect, truth, log = null) {
   const { fault, name, sensor, sizes, landmarks } = suspect
-  if (fault === 'exchanged') {
-    const [one, other] = (landmarks ?? []).map((id) => landmarkName({ log }, id))
-    const what = log?.names.length ? 'names' : 'numbers'
-    return (
-      `Landmarks ${one} and ${other} are taken for one another: ` +
-      `exchange their ${what} where their places are said.`
-    )
-  }
+  if (fault === 'exchanged') return exchanged(landmarks ?? [], log)
+  if (fault === 'displaced') return displaced(landmarks ?? [], sizes, log)
   if (fault === 'mirrored')
     return (
       'The turns have the wrong sign: choose the unit of ω that turns the other way, or change their sign ' +

@@ -101,7 +101,7 @@ function gateOf({ params, summary: { used, refused } }) {
   const many = share > 5 * expected && refused > 5 * expected * (used + refused) + 5
   return (
     ` The gate has refused ${percent(share)} of the readings, where ${percent(expected)} is ` +
-    `expected${many ? ': it hides a fault of the model' : ''}.`
+    `expected${many ? ': there are outliers, or it hides a fault of the model' : ''}.`
   )
 }
 

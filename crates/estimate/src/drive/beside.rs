@@ -6,10 +6,11 @@
 //! the fault mended the σ is found anew, and both are held against the σ alone.
 
 use crate::drive::evidence::Trial;
+use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
-use crate::drive::suspect::{Fault, Suspect};
+use crate::drive::suspect::Suspect;
 use crate::drive::weight::{CLEAR, ranked, sifted};
 use crate::error::Error;
 use alloc::vec::Vec;

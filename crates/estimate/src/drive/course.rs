@@ -5,6 +5,7 @@ use crate::drive::row::{Drive, Event, Motion};
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::settings::{Delays, Settings};
 use crate::error::Error;
+use crate::landmark::Landmark;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 use filters::consistency::chi2_quantile;
@@ -52,6 +53,8 @@ pub(crate) struct Otherwise {
     pub mirrored: bool,
     /// Two landmarks, by their places in the list, that are taken for one another.
     pub exchanged: Option<[usize; 2]>,
+    /// A landmark, by its place in the list, that stands beside its place by so much, m.
+    pub displaced: Option<(usize, [f64; 2])>,
 }
 
 /// How a drive is replayed under some settings.
@@ -76,6 +79,8 @@ pub struct Course {
     gates: BySensor<Option<f64>>,
     sensors: BySensor<bool>,
     otherwise: Otherwise,
+    /// The landmarks, where one is taken to stand elsewhere than the drive says.
+    map: Option<Vec<Landmark>>,
 }
 
 impl Course {
@@ -103,7 +108,8 @@ impl Course {
         let steps = order.as_ref().map_or(drive.rows.len(), Vec::len);
         let (start, pose, motion) = (0.0, SE2::new(0.0, 0.0, 0.0), drive.motion);
         let otherwise = Otherwise::default();
-        let mut course = Self { settings, motion, order, splits, steps, start, pose, gates, sensors, otherwise };
+        let map = None;
+        let mut course = Self { settings, motion, order, splits, steps, start, pose, gates, sensors, otherwise, map };
         if let Some(first) = drive.truth.poses().first() {
             course.start = first.time;
             course.pose = SE2::new(first.x, first.y, first.theta);
@@ -118,12 +124,22 @@ impl Course {
     }
 
     /// The same, but for what is taken otherwise.
-    pub(crate) fn with(self, otherwise: Otherwise) -> Self {
+    pub(crate) fn with(mut self, drive: &Drive, otherwise: Otherwise) -> Self {
+        if let Some((landmark, [x, y])) = otherwise.displaced {
+            let mut map = drive.landmarks.clone();
+            map.get_mut(landmark).into_iter().for_each(|it| (it.x, it.y) = (it.x + x, it.y + y));
+            self.map = Some(map);
+        }
         let (pose, [x, y, theta]) = (self.pose, otherwise.shift);
         if otherwise.shift == [0.0; 3] {
             return Self { otherwise, ..self };
         }
         Self { pose: SE2::new(pose.x() + x, pose.y() + y, pose.theta() + theta), otherwise, ..self }
+    }
+
+    /// Where the landmarks are taken to stand.
+    pub(crate) fn map<'a>(&'a self, drive: &'a Drive) -> &'a [Landmark] {
+        self.map.as_deref().unwrap_or(&drive.landmarks)
     }
 
     /// The landmark that a row which names one is taken to have seen.

@@ -56,7 +56,7 @@ pub(crate) struct Evidence {
 impl Evidence {
     /// Replays the first `rows` rows.
     pub fn new(drive: &Drive, place: &Trial, rows: u32) -> Result<Self, Error> {
-        let course = Course::new(drive, place.settings)?.with(place.otherwise);
+        let course = Course::new(drive, place.settings)?.with(drive, place.otherwise);
         let mut replay = Replay::new(&course);
         let (mut readings, mut compared) = (Vec::new(), Compared::new()?);
         while replay.rows() < rows
@@ -102,16 +102,20 @@ impl Evidence {
     }
 }
 
+/// d² of an outlier with p numbers, in the units of its own normal distribution. Beyond its mean there the density falls
+/// as |ν|⁻ᵖ, whatever S is: how far off an outlier is says nothing of how wide the others are.
+fn far(d2: f64, p: f64) -> f64 {
+    let share = d2 / (WIDE * WIDE);
+    if share <= p { share } else { p + p * libm::log(share / p) }
+}
+
 /// A reading that can be compared; behind a gate it may be an outlier.
 fn weighed(row: u32, judged: &Judged, gated: bool) -> Option<Weighed> {
     let p = f64::from(judged.outputs);
     let log_likelihood = match (gated, judged.used) {
         (false, _) => judged.log_likelihood(),
         (true, true) => judged.log_likelihood() + libm::log(1.0 - OUTLIERS),
-        (true, false) => {
-            let wide = judged.log_det + 2.0 * p * libm::log(WIDE) + judged.d2 / (WIDE * WIDE);
-            libm::log(OUTLIERS) - 0.5 * wide
-        }
+        (true, false) => libm::log(OUTLIERS) - 0.5 * (judged.log_det + 2.0 * p * libm::log(WIDE) + far(judged.d2, p)),
     };
     let reading = Weighed { row, sensor: judged.sensor, used: judged.used, log_likelihood, white: judged.white };
     log_likelihood.is_finite().then_some(reading)

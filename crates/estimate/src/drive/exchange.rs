@@ -6,7 +6,7 @@ use crate::drive::freed::Search;
 use crate::drive::row::Event;
 use alloc::vec::Vec;
 
-/// So many landmarks are exchanged with one another at most.
+/// So many landmarks are looked at, at most.
 const MOST: usize = 6;
 
 /// How many pairs are tried of so many landmarks.
@@ -35,7 +35,7 @@ pub(crate) fn likeliest(search: &Search<'_>, place: &Trial) -> Option<([usize; 2
 }
 
 /// The landmarks whose readings are least likely for their number.
-fn worst(search: &Search<'_>) -> Vec<usize> {
+pub(crate) fn worst(search: &Search<'_>) -> Vec<usize> {
     let mut sums = alloc::vec![(0.0, 0_u32); search.drive.landmarks.len()];
     for reading in &search.base.readings {
         let event = search.drive.rows[reading.row as usize].event;

@@ -2,12 +2,13 @@
 
 use crate::drive::course::Otherwise;
 use crate::drive::evidence::{Against, Evidence, Trial};
+use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
 use crate::drive::flat::flat;
 use crate::drive::gaps::{self, Gaps};
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::{Drive, Event, Row};
-use crate::drive::suspect::{Fault, Standing, Suspect};
+use crate::drive::suspect::{Standing, Suspect};
 use alloc::vec::Vec;
 
 /// A mended filter that is farther from the truth than before, by this ratio, is not mended.

@@ -212,7 +212,7 @@ impl Replay {
     ) -> Result<Option<Judged>, Error> {
         let (s, gate) = (course.settings(), *course.gates().of(sensor));
         let heading = self.pose().theta();
-        let setup = Setup { map: &drive.landmarks, scale: (!s.learn).then_some(s.scale), offset: s.offset, gate };
+        let setup = Setup { map: course.map(drive), scale: (!s.learn).then_some(s.scale), offset: s.offset, gate };
         let Some(reading) = reading(course, event) else { return Ok(None) };
         match self.filter.correct(&reading, &setup) {
             Ok(corrected) => Judged::new(sensor, &corrected, heading, gate.is_some()).map(Some),

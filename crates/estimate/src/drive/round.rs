@@ -1,13 +1,15 @@
 //! A look at some suspects beside one replay.
 
 use crate::drive::course::{Course, Otherwise};
+use crate::drive::displaced::{displaced, moved};
 use crate::drive::evidence::{Evidence, OUTLIERS, Trial};
 use crate::drive::exchange::likeliest;
+use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
 use crate::drive::freed::{Freed, Numbers, ROUNDS, ROUNDS_OF_A_FACTOR, Search};
 use crate::drive::row::Drive;
 use crate::drive::sensor::Sensor;
-use crate::drive::suspect::{Fault, Size, Standing, Suspect, Tried};
+use crate::drive::suspect::{Size, Standing, Suspect, Tried};
 use crate::error::Error;
 use alloc::vec::Vec;
 
@@ -73,17 +75,23 @@ impl Round {
             first,
         };
         let nothing = || Freed { at: numbers.first.clone(), sigmas: Vec::new(), gain: 0.0 };
-        let (mut mended, mut pair) = (None, None);
+        let (mut mended, mut landmarks) = (None, Vec::new());
         let freed = match tried {
             Tried::Outliers(sensor) => outliers(&search, sensor, &place(&[])),
             Tried::Mirrored => {
                 let gain = search.replay(&place(&[])).map(|evidence| evidence.gain(base, search.from));
                 gain.filter(|gain| gain.is_finite()).map(|gain| Freed { gain, ..nothing() })
             }
-            Tried::Exchanged => likeliest(&search, &self.place).map(|(landmarks, gain)| {
-                pair = Some(landmarks);
-                mended = Some(Trial { otherwise: Otherwise { exchanged: pair, ..self.place.otherwise }, ..self.place });
+            Tried::Exchanged => likeliest(&search, &self.place).map(|(pair, gain)| {
+                landmarks = pair.to_vec();
+                let exchanged = Some(pair);
+                mended = Some(Trial { otherwise: Otherwise { exchanged, ..self.place.otherwise }, ..self.place });
                 Freed { gain, ..nothing() }
+            }),
+            Tried::Displaced => displaced(&search, &self.place).map(|(landmark, freed)| {
+                landmarks.push(landmark);
+                mended = Some(moved(&self.place, landmark, &freed.at));
+                freed
             }),
             _ if tried.fault() == Fault::Sigma => search.sigma(&numbers),
             _ => search.means(&numbers),
@@ -100,6 +108,11 @@ impl Round {
                     let (now, value) = (number.value(numbers.first[i]), number.value(*at));
                     Size { now, value, sigma: if number.is_sigma() { value * sigma } else { sigma }, end }
                 }
+                (None, Tried::Displaced) => {
+                    let stands = landmarks.first().and_then(|at| drive.landmarks.get(*at));
+                    let now = stands.map_or(0.0, |landmark| if i == 0 { landmark.x } else { landmark.y });
+                    Size { now, value: now + at, sigma, end }
+                }
                 (None, Tried::Start) => Size { now: begin[i], value: begin[i] + at, sigma, end },
                 (None, _) => Size { now: 0.0, value: *at, sigma, end },
             }
@@ -113,15 +126,20 @@ impl Round {
             };
             sizes = which.iter().map(of).collect();
         }
-        let chance =
-            scope.chance[tried.freedom()] + if tried == Tried::Exchanged { libm::log(scope.pairs) } else { 0.0 };
+        // The likeliest of several is likelier by chance.
+        let among = match tried {
+            Tried::Exchanged => scope.pairs,
+            Tried::Displaced => drive.landmarks.len() as f64,
+            _ => 1.0,
+        };
+        let chance = scope.chance[tried.freedom()] + libm::log(among);
         let id = |at: usize| drive.landmarks.get(at).map_or(0, |landmark| landmark.id);
         let mut suspect = Suspect {
             fault: tried.fault(),
             number: which.first().copied(),
             with: which.get(1).copied(),
             sensor: if let Tried::Outliers(sensor) = tried { Some(sensor) } else { None },
-            landmarks: pair.map(|pair: [usize; 2]| pair.map(id)),
+            landmarks: landmarks.into_iter().map(id).collect(),
             sizes,
             claims: which.first().and_then(|number| number.claimed_by()).and_then(|sensor| drive.claims(sensor)),
             gain: freed.gain,

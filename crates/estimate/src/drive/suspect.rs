@@ -2,51 +2,12 @@
 
 use crate::drive::course::Course;
 use crate::drive::evidence::{Against, Trial};
+use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
 use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::Sensor;
 use crate::drive::settings::MAX_DELAY;
 use alloc::vec::Vec;
-
-/// A kind of fault, in the order in which they are named where their evidence ties.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Fault {
-    /// The robot did not start where the filter does.
-    Start,
-    /// A sensor's clock is late, or early.
-    Clock,
-    /// What is read is off by a constant: a turn rate, a range.
-    Bias,
-    /// A speed or a range reads too much or too little by a share.
-    Scale,
-    /// Outliers: more readings lie far off than a normal distribution has.
-    Tails,
-    /// A standard deviation is claimed too small or too large.
-    Sigma,
-    /// The camera does not look straight ahead, or the compass reads another north.
-    Turned,
-    /// Turns are counted the other way round.
-    Mirrored,
-    /// Two landmarks are taken for one another.
-    Exchanged,
-}
-
-impl Fault {
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Start => "start",
-            Self::Clock => "clock",
-            Self::Bias => "bias",
-            Self::Scale => "scale",
-            Self::Tails => "tails",
-            Self::Sigma => "sigma",
-            Self::Turned => "turned",
-            Self::Mirrored => "mirrored",
-            Self::Exchanged => "exchanged",
-        }
-    }
-}
 
 /// How far a verdict commits itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,9 +44,9 @@ pub struct Suspect {
     pub with: Option<Fitted>,
     /// The sensor whose readings have outliers.
     pub sensor: Option<Sensor>,
-    /// The two landmarks that are exchanged, by their ids.
-    pub landmarks: Option<[u32; 2]>,
-    /// The numbers; of the start x, y and θ in m, m and rad; of outliers their share.
+    /// The two landmarks that are exchanged, by their ids, or the one that stands elsewhere.
+    pub landmarks: Vec<u32>,
+    /// The numbers; of the start x, y and θ in m, m and rad; of a landmark x and y in m; of outliers their share.
     pub sizes: Vec<Size>,
     /// The least of the standard deviations that readings bring, their median and the greatest: of a factor on them.
     pub claims: Option<[f64; 3]>,
@@ -110,6 +71,7 @@ impl Suspect {
         match (self.fault, self.number, self.sensor) {
             (Fault::Mirrored, ..) => Tried::Mirrored,
             (Fault::Exchanged, ..) => Tried::Exchanged,
+            (Fault::Displaced, ..) => Tried::Displaced,
             (Fault::Clock, ..) if self.with.is_some() => {
                 Tried::Together(READINGS.map(|it| self.sizes.len() > 2 || [self.number, self.with].contains(&Some(it))))
             }
@@ -133,6 +95,8 @@ pub(crate) enum Tried {
     Outliers(Sensor),
     Mirrored,
     Exchanged,
+    /// One landmark at another place.
+    Displaced,
 }
 
 /// Scale and offset of the ranges.
@@ -170,6 +134,7 @@ impl Tried {
             (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
             (Self::Mirrored, drive.rows.iter().any(|row| turns(&row.event))),
             (Self::Exchanged, landmarks),
+            (Self::Displaced, landmarks),
         ];
         let others = others.into_iter().filter_map(|(tried, there)| there.then_some(tried));
         let open = |number: &Fitted| !number.is_sigma() || number.value(number.get(s)) > 2.0 * Fitted::LEAST;
@@ -186,6 +151,7 @@ impl Tried {
             Self::Number(Fitted::BearingOffset | Fitted::HeadingOffset) => Fault::Turned,
             Self::Mirrored => Fault::Mirrored,
             Self::Exchanged => Fault::Exchanged,
+            Self::Displaced => Fault::Displaced,
             Self::Together(_) => Fault::Clock,
             Self::Number(number) if number.is_delay() => Fault::Clock,
             Self::Number(_) => Fault::Sigma,
@@ -201,7 +167,7 @@ impl Tried {
     pub fn freedom(self) -> usize {
         match self {
             Self::Start => 3,
-            Self::Ruler => 2,
+            Self::Ruler | Self::Displaced => 2,
             Self::Number(_) | Self::Outliers(_) | Self::Together(_) => 1,
             Self::Mirrored | Self::Exchanged => 0,
         }

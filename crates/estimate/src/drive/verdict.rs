@@ -4,7 +4,7 @@
 //! Twice the gain in log-likelihood of a number without a fault is χ² (Wilks 1938). So many are tried that the best
 //! gains by chance: a fault is named beyond the quantile that the best of all stays below in 97 of 100 sound logs
 //! (Bonferroni). Faults are compared by what they gain beyond it. Readings that a gate refuses count as outliers; a
-//! gate that refuses one in ten hides a fault, and is off meanwhile.
+//! gate that refuses one in ten hides a fault, and is off meanwhile, unless outliers are what it refuses.
 //!
 //! A larger σ makes any error of the model likelier. Where one explains most, the other faults are freed once more
 //! beside it, and what makes the readings much likelier even so is named before it: at once where it alone explains by
@@ -18,15 +18,16 @@ use crate::drive::beside::{by_itself, explained, hoist};
 use crate::drive::course::{Course, Otherwise};
 use crate::drive::evidence::{Against, Evidence, Trial};
 use crate::drive::exchange::pairs;
+use crate::drive::fault::Fault;
 use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::gaps::{Gaps, gaps};
+use crate::drive::gates::Gates;
 use crate::drive::judgement::{Judgement, as_mended, is_own, period, refuted, stairs, turning};
 use crate::drive::pace::pace;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
-use crate::drive::sensor::BySensor;
 use crate::drive::settings::Settings;
-use crate::drive::suspect::{Fault, Standing, Suspect, Tried};
+use crate::drive::suspect::{Standing, Suspect, Tried};
 use crate::drive::weight::{ranked, sifted, stand};
 use crate::error::{Code, Error};
 use alloc::vec::Vec;
@@ -36,8 +37,6 @@ use filters::consistency::chi2_quantile;
 pub const MOST_JUDGED: u32 = 200_000;
 /// A sound log has a fault named with this probability, where its start is as uncertain as it is said to be.
 const CHANCE: f64 = 0.03;
-/// A gate that refuses more than this share hides a fault.
-const HIDING: f64 = 0.1;
 
 /// A verdict on a log, suspect by suspect.
 ///
@@ -64,7 +63,7 @@ pub struct Verdict {
     /// The faults beside a σ that is enlarged.
     beside: Option<Round>,
     stage: Stage,
-    ungated: bool,
+    gates: Gates,
     /// Whether the first suspects were found beside the larger σ, and whether the first goes before it by itself.
     hoisted: bool,
     sole: bool,
@@ -125,7 +124,7 @@ impl Verdict {
             first,
             beside: None,
             stage: Stage::First,
-            ungated: false,
+            gates: Gates::Set,
             hoisted: false,
             sole: false,
             against: None,
@@ -151,7 +150,7 @@ impl Verdict {
             Stage::Beside => self.beside.as_mut().map_or(Ok(false), |round| round.step(drive, &self.scope))?,
             Stage::Done => return Ok(false),
         };
-        if self.first.found.is_empty() && !self.asked && !self.open_gates() {
+        if self.first.found.is_empty() && !self.asked && !self.gates.open(&mut self.first) {
             self.against = self.first.base.as_ref().and_then(|base| base.against);
         }
         if more {
@@ -161,7 +160,7 @@ impl Verdict {
             let mut found = core::mem::take(&mut self.first.found);
             sifted(&mut found, self.scope.chance[1]);
             self.first.found = ranked(found);
-            if self.turn_on_the_way(drive) || self.set_apart() {
+            if self.trust_gates() || self.turn_on_the_way(drive) || self.set_apart() {
                 return Ok(true);
             }
             self.sole = by_itself(&mut self.first, drive, &self.scope)?;
@@ -174,17 +173,12 @@ impl Verdict {
         Ok(self.stage != Stage::Done)
     }
 
-    /// Begins again without gates where these refuse too much; whether it did.
-    fn open_gates(&mut self) -> bool {
-        let Round { place, base: Some(base), .. } = &self.first else { return false };
-        let [refused, all] = base.refused(|sensor| place.settings.gate.of(sensor).is_some());
-        let hides = f64::from(refused) > HIDING * f64::from(all);
-        if hides {
-            self.first.place.settings.gate = BySensor::all(None);
-            self.first.base = None;
-            self.ungated = true;
-        }
-        hides
+    /// Begins again with the gates where outliers are what they refuse; whether it does.
+    fn trust_gates(&mut self) -> bool {
+        let tried = self.first.tried.len() as u32;
+        let trusts = self.gates.trust(&mut self.first);
+        self.before += if trusts { tried } else { 0 };
+        trusts
     }
 
     /// Frees the suspects anew beside a robot that turns on its way, where that makes the readings likelier than any of
@@ -262,7 +256,7 @@ impl Verdict {
             rows: self.scope.rows,
             tried: [looked + done, all + more],
             against: self.against,
-            ungated: self.ungated,
+            ungated: matches!(self.gates, Gates::Off(_)),
             beside: self.hoisted,
             arcs: self.arcs,
             period: self.period,

@@ -1,8 +1,9 @@
 //! How evidence is weighed: what counts of a suspect's gain, which suspect goes before which, and how sure each is.
 
 use crate::drive::evidence::Trial;
+use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
-use crate::drive::suspect::{Fault, Size, Standing, Suspect};
+use crate::drive::suspect::{Size, Standing, Suspect};
 use alloc::vec::Vec;
 
 /// Faults whose gains differ by less than this tie, and the earlier kind is named first.
@@ -86,7 +87,7 @@ mod tests {
             number,
             with: None,
             sensor: None,
-            landmarks: None,
+            landmarks: Vec::new(),
             sizes: alloc::vec![Size { now, value, sigma, end: false }],
             claims: None,
             gain: 9.0,

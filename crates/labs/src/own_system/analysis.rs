@@ -78,7 +78,9 @@ impl Analysis {
         let arrived = stepped.as_ref().filter(|state| state.converged && state.gain_converged);
         let settled = arrived.filter(|state| !limit.converged || same_covariance(state, &limit));
         let limit_p = settled.map(|state| state.p.clone()).or_else(|| limit.converged.then(|| limit.p.clone()));
-        let near = limit_p.as_ref().and_then(|limit| nearing(&system, &p0, limit));
+        let noise = dynamic::noise_reach(f.clone(), system.v.clone(), tolerance)?;
+        let fed = fed(&noise, left.is_empty(), n);
+        let near = limit_p.as_ref().and_then(|limit| nearing(&system, &p0, limit, &fed));
         // Numbers alone do not tell it: rounding of a limit that the start decides looks like the end of a slow fall,
         // and a slow fall far enough on like rest.
         let structure = dynamic::falls_as_average(&system, dynamic::STRUCTURE).unwrap_or(Verdict::Undecided);
@@ -106,7 +108,7 @@ impl Analysis {
             rank: dynamic::observability(f.clone(), h.clone(), tolerance)?,
             seen,
             kind: dynamic::riccati_limit(&system, tolerance)?,
-            noise: dynamic::noise_reach(f.clone(), system.v.clone(), tolerance)?,
+            noise,
             input: dynamic::stabilizability(f.clone(), system.g.clone(), tolerance)?,
             settled: settled.map(|state| state.iterations as u32),
             tried: stepped.as_ref().map(|state| state.iterations as u32),
@@ -161,6 +163,12 @@ fn system_of(params: &OwnParams) -> Result<System, Error> {
         Discrete { f, g, v }
     };
     System::new(f, g, part(&params.h, [p, n]), v, part(&params.w, [p, p]))
+}
+
+/// Which states noise moves: where each reading is `noisy`, no variance of theirs falls to 0.
+fn fed(noise: &Reachability, noisy: bool, n: usize) -> Vec<bool> {
+    let known = noisy && noise.reachable != Verdict::Undecided;
+    (0..n).map(|i| known && noise.unreached.iter().all(|direction| direction[i] == 0.0)).collect()
 }
 
 /// Whether P falls to 0 from every start and never comes to rest: no noise moves the state, F has eigenvalues on the

@@ -16,7 +16,8 @@ const SHARE: f64 = 0.01;
 /// to a hundredth nothing is left of the former, and of the latter more than this part.
 const LATER: usize = 8;
 const NEXT_TO_NOTHING: f64 = 1e-10;
-/// A variance below this part of its start's counts as one that falls to 0: then its start is what it is a share of.
+/// A variance that no noise feeds counts as one that falls to 0 below this part of its start's: then its start is what
+/// it is a share of.
 const NOTHING: f64 = 1e-9;
 /// Doubled steps are taken as far as this.
 const DOUBLINGS: usize = 50;
@@ -42,9 +43,9 @@ impl Stride {
     }
 }
 
-/// From P(0 | 0) to a limit of P(k+1 | k); `None` where it is not reached, or where the limit leaves a reading without
-/// any noise.
-pub(super) fn nearing(system: &System, p0: &DMatrix<f64>, limit: &DMatrix<f64>) -> Option<Nearing> {
+/// From P(0 | 0) to a limit of P(k+1 | k), where noise feeds the variances of some states; `None` where it is not
+/// reached, or where the limit leaves a reading without any noise.
+pub(super) fn nearing(system: &System, p0: &DMatrix<f64>, limit: &DMatrix<f64>, fed: &[bool]) -> Option<Nearing> {
     let n = p0.nrows();
     let begins = &system.f * p0 * system.f.transpose() + &system.v;
     let inverse = (&system.h * limit * system.h.transpose() + &system.w).try_inverse()?;
@@ -55,7 +56,7 @@ pub(super) fn nearing(system: &System, p0: &DMatrix<f64>, limit: &DMatrix<f64>) 
     let largest = begins.amax().max(limit.amax());
     let unit = |i: usize| {
         let (at, from) = (limit[(i, i)], begins[(i, i)]);
-        let unit = if at > NOTHING * from { at } else { from };
+        let unit = if at > NOTHING * from || (fed[i] && at > 0.0) { at } else { from };
         if unit > 0.0 {
             unit
         } else if largest > 0.0 {
@@ -114,10 +115,8 @@ mod tests {
     fn counted(system: &System, p0: &DMatrix<f64>, limit: &DMatrix<f64>, steps: usize) -> usize {
         let unit = |i: usize, first: &DMatrix<f64>| if limit[(i, i)] > 0.0 { limit[(i, i)] } else { first[(i, i)] };
         let begins = &system.f * p0 * system.f.transpose() + &system.v;
-        // The first step's P is that of the start, predicted.
-        let after = |count: usize| dynamic::steady_state_gain(system, p0.clone(), count + 1, 0.0).expect("runs").p;
+        let (n, System { f, h, v, w, .. }) = (p0.nrows(), system);
         let near = |p: &DMatrix<f64>| {
-            let n = p.nrows();
             (0..n).all(|i| {
                 (0..n).all(|j| {
                     let off = (p[(i, j)] - limit[(i, j)]).abs();
@@ -125,7 +124,17 @@ mod tests {
                 })
             })
         };
-        (0..steps).find(|count| near(&after(*count))).expect("comes near")
+        let mut p = begins.clone();
+        for count in 0..steps {
+            if near(&p) {
+                return count;
+            }
+            let gain = &p * h.transpose() * (h * &p * h.transpose() + w).try_inverse().expect("noise");
+            let rest = DMatrix::identity(n, n) - &gain * h;
+            // Joseph's form: what is left of a large start has its digits.
+            p = f * (&rest * &p * rest.transpose() + &gain * w * gain.transpose()) * f.transpose() + v;
+        }
+        panic!("it does not come near in {steps} steps");
     }
 
     #[test]
@@ -133,30 +142,52 @@ mod tests {
         let cv = system(dmatrix![1.0, 0.1; 0.0, 1.0], dmatrix![1.0, 0.0], dmatrix![0.0, 0.0; 0.0, 0.01]);
         let start = DMatrix::identity(2, 2) * 100.0;
         let limit = dynamic::steady_state(&cv, start.clone()).expect("a limit").p;
-        let found = nearing(&cv, &start, &limit).expect("comes near");
+        let found = nearing(&cv, &start, &limit, &[true; 2]).expect("comes near");
         assert_eq!(found.steps, counted(&cv, &start, &limit, 400) as f64);
         assert!(found.steps > 20.0 && !found.slowly, "{found:?}");
         // A variance that falls to 0 by a factor in each step, where no noise is: not until the numbers end.
         let dying = system(dmatrix![0.5], dmatrix![1.0], dmatrix![0.0]);
         let (one, zero) = (dmatrix![1.0], dmatrix![0.0]);
-        let found = nearing(&dying, &one, &zero).expect("comes near");
+        let found = nearing(&dying, &one, &zero, &[false]).expect("comes near");
         assert_eq!((found.steps, found.slowly), (counted(&dying, &one, &zero, 40) as f64, false));
+    }
+
+    #[test]
+    fn a_limit_far_below_the_start_is_still_what_noise_leaves() {
+        let near = |v: DMatrix<f64>, h: DMatrix<f64>, f: DMatrix<f64>, start: f64| {
+            let n = f.nrows();
+            let system = System { w: dmatrix![1e-8], ..system(f, h, v) };
+            let start = DMatrix::identity(n, n) * start;
+            let limit = dynamic::steady_state(&system, start.clone()).expect("a limit").p;
+            let found = nearing(&system, &start, &limit, &[true; 2][..n]).expect("comes near");
+            (found.steps, counted(&system, &start, &limit, 100_000) as f64)
+        };
+        for v in [1e-10, 1e-12, 1e-14] {
+            let (found, counted) = near(dmatrix![v], dmatrix![1.0], dmatrix![1.0], 1.0);
+            assert_eq!(found, counted, "{v}");
+        }
+        // A position and its drift, from a start that knows nothing and from one that knows much.
+        for start in [1.0, 1e-4] {
+            let drift = (dmatrix![1e-10, 0.0; 0.0, 1e-14], dmatrix![1.0, 0.0], dmatrix![1.0, 0.01; 0.0, 1.0]);
+            let (found, counted) = near(drift.0, drift.1, drift.2, start);
+            assert!((found - counted).abs() <= 2.0, "{start}: {found} {counted}");
+        }
     }
 
     #[test]
     fn the_variance_of_an_average_falls_ever_more_slowly() {
         let constant = system(dmatrix![1.0], dmatrix![1.0], dmatrix![0.0]);
         // P(k+1 | k) is 1/(k + 1) of a start of 1, whose reading has the variance 1: a hundredth after 99.
-        let found = nearing(&constant, &dmatrix![1.0], &dmatrix![0.0]).expect("falls");
+        let found = nearing(&constant, &dmatrix![1.0], &dmatrix![0.0], &[false]).expect("falls");
         assert!((98.0..=100.0).contains(&found.steps) && found.slowly, "{found:?}");
         // What is not seen stays as it is.
         let two = system(DMatrix::identity(2, 2), dmatrix![1.0, 0.0], DMatrix::zeros(2, 2));
         let limit = dmatrix![1e-15, 0.0; 0.0, 1.0];
-        assert!(nearing(&two, &DMatrix::identity(2, 2), &limit).expect("falls").slowly);
+        assert!(nearing(&two, &DMatrix::identity(2, 2), &limit, &[false; 2]).expect("falls").slowly);
         // From a start that knows what lies on the circle the rest falls by a factor.
         let beside = system(dmatrix![1.0, 0.0; 0.0, 0.5], dmatrix![1.0, 1.0], DMatrix::zeros(2, 2));
         let start = dmatrix![0.0, 0.0; 0.0, 1.0];
-        let found = nearing(&beside, &start, &DMatrix::zeros(2, 2)).expect("falls");
+        let found = nearing(&beside, &start, &DMatrix::zeros(2, 2), &[false; 2]).expect("falls");
         assert!(found.steps < 10.0 && !found.slowly, "{found:?}");
     }
 }

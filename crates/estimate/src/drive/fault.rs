@@ -1,0 +1,44 @@
+//! The kinds of what may be wrong with a log or its settings.
+
+/// A kind of fault, in the order in which they are named where their evidence ties.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Fault {
+    /// The robot did not start where the filter does.
+    Start,
+    /// A sensor's clock is late, or early.
+    Clock,
+    /// What is read is off by a constant: a turn rate, a range.
+    Bias,
+    /// A speed or a range reads too much or too little by a share.
+    Scale,
+    /// Outliers: more readings lie far off than a normal distribution has.
+    Tails,
+    /// A standard deviation is claimed too small or too large.
+    Sigma,
+    /// The camera does not look straight ahead, or the compass reads another north.
+    Turned,
+    /// Turns are counted the other way round.
+    Mirrored,
+    /// Two landmarks are taken for one another.
+    Exchanged,
+    /// A landmark stands elsewhere than its row says.
+    Displaced,
+}
+
+impl Fault {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Clock => "clock",
+            Self::Bias => "bias",
+            Self::Scale => "scale",
+            Self::Tails => "tails",
+            Self::Sigma => "sigma",
+            Self::Turned => "turned",
+            Self::Mirrored => "mirrored",
+            Self::Exchanged => "exchanged",
+            Self::Displaced => "displaced",
+        }
+    }
+}
