@@ -47,7 +47,7 @@ test('what is not understood is a fault with its line, and nothing of the paste 
     [`F = [1 ...\n 0; 0 1]\n${REST}\nF'`, 6, /“F'” is not understood/],
     [`/* two\nlines */ F = eye(2)\n${REST}\n! W`, 6, /“! W” is not understood/],
     [`F = eye(2)\nH = [1 0 0]\nV = eye(2)\nW = 1`, 2, /^H is 1 × 3/],
-    [`F = eye(2)\nB = 5\n${REST}`, 2, /^B is 1 × 1; .* 2 × 1\. Give B another name if it is not that\.$/],
+    [`F = eye(2)\nB = 5\n${REST}`, 2, /^B is 1 × 1; .* it needs 2 rows\. Give B another name if it is not that\.$/],
     [`F = eye(2)\nH = a_very_long_name_of_it\n${REST}`, 2, /^H: “a_very_long_name_of_…” is not a number\.$/],
     [`F = eye(2)\n${REST}\n! ${'long '.repeat(9)}`, 5, /^“! (?:long ){5}lon…” is not understood/],
     [`F = eye(2)\n${REST}\nfrom now on F is doubled: F = 2*F`, 5, /“from now on/],

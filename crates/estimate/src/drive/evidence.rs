@@ -102,8 +102,8 @@ impl Evidence {
     }
 }
 
-/// d² of an outlier with p numbers, in the units of its own normal distribution. Beyond its mean there the density falls
-/// as |ν|⁻ᵖ, whatever S is: how far off an outlier is says nothing of how wide the others are.
+/// d² of an outlier with p numbers, in the units of its own normal distribution. Beyond its mean there the density
+/// falls as |ν|⁻ᵖ, whatever S is: how far off an outlier is says nothing of how wide the others are.
 fn far(d2: f64, p: f64) -> f64 {
     let share = d2 / (WIDE * WIDE);
     if share <= p { share } else { p + p * libm::log(share / p) }
