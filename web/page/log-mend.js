@@ -86,6 +86,7 @@ export class MendBar {
     this.taken = []
     this.judgement = null
     this.presses.replaceChildren()
+    this.hold('')
     this.hide()
   }
 
@@ -105,6 +106,7 @@ export class MendBar {
   fill(judgement, frame, wanted) {
     this.judgement = judgement
     this.presses.replaceChildren()
+    if (judgement) this.hold('')
     for (const { press, patch } of remedies(judgement, frame))
       button(document, this.presses, press, () => this.take(patch, wanted), 'button')
   }
@@ -120,6 +122,7 @@ export class MendBar {
     this.keep(patch, wanted)
     this.undoing.focus({ preventScroll: true })
     this.wait()
+    this.hold()
     this.change(patch)
   }
 
@@ -127,7 +130,18 @@ export class MendBar {
     const last = this.taken.pop()
     if (!last) return
     if (this.taken.length === 0) this.box.focus({ preventScroll: true })
+    this.hold()
     this.change(last.before)
+  }
+
+  /**
+   * Keeps the verdict above as high as it is until the next one stands there: the words meanwhile are fewer.
+   * @param {string} [height]
+   */
+  hold(height) {
+    const verdict = this.box.parentElement?.querySelector('.verdict')
+    if (verdict instanceof HTMLElement)
+      verdict.style.minBlockSize = height ?? `${verdict.getBoundingClientRect().height}px`
   }
 
   wait() {
