@@ -168,7 +168,7 @@ const native = {
   kalmanStep: 'Kalman step, native',
   kalmanReplay: 'Kalman step of a log, native',
   ObserverBench: 'Observer Bench step, native',
-  ChosetEkf: 'EKF step, native',
+  Localizer: 'EKF step, native',
   EkfLocalizer: 'EKF step of a log, native',
   'dense 100': 'SLAM, 100 landmarks, dense algebra, native',
   ...Object.fromEntries(SIZES.map((n) => [`EkfSlam ${n}`, `SLAM, ${n} landmarks, native`])),
@@ -181,7 +181,10 @@ for (const body of Object.values(bodies)) for (let i = 0; i < WARM; i++) body()
 for (let round = 0; round < ROUNDS; round++) {
   for (const [name, body] of Object.entries(bodies)) note(name, body())
   const paces = JSON.parse(execFileSync(pace, { encoding: 'utf8' }))
-  for (const [name, ns] of Object.entries(paces)) note(native[name], ns)
+  for (const [name, ns] of Object.entries(paces)) {
+    if (!native[name]) throw new Error(`${pace} times “${name}”, which is called nothing here.`)
+    note(native[name], ns)
+  }
 }
 const median = (name) => times.get(name).sort((a, b) => a - b)[ROUNDS >> 1]
 
