@@ -4,7 +4,10 @@ import assert from 'node:assert/strict'
 import { frameOf, until } from './harness.mjs'
 import { file, openLog } from './own-log.mjs'
 
-/** A circle among three landmarks, begun far from where the filter starts; ranges have an error of about 0.2 m. */
+/**
+ * A circle among three landmarks, begun far from where the filter starts; ranges have an error of about 0.2 m. So long
+ * that a verdict on it takes several frames.
+ */
 function circle() {
   const places = [
     [0, 0],
@@ -12,7 +15,7 @@ function circle() {
     [8, 18],
   ]
   const rows = places.map(([x, y], i) => `L,${i + 1},${x},${y}`)
-  for (let k = 0; k < 400; k++) {
+  for (let k = 0; k < 2000; k++) {
     const t = k / 10
     const [x, y] = [10 + 5 * Math.sin(0.2 * t), 12 - 5 * Math.cos(0.2 * t)]
     rows.push(`V,${t},1,0.2`)
