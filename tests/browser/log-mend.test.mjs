@@ -5,30 +5,57 @@ import { frameOf, until } from './harness.mjs'
 import { file, openLog } from './own-log.mjs'
 
 /**
- * A circle among three landmarks, begun far from where the filter starts; ranges have an error of about 0.2 m. So long
- * that a verdict on it takes several frames.
+ * A circle among three landmarks; ranges have an error of about 0.2 m.
+ * @param {string} name @param {number} count of rows of motion @param {number[]} off how far beside its place the
+ * second landmark is written @param {string[]} more rows
  */
-function circle() {
+function circle(name, count, [right, up] = [0, 0], more = []) {
   const places = [
     [0, 0],
     [20, 2],
     [8, 18],
   ]
-  const rows = places.map(([x, y], i) => `L,${i + 1},${x},${y}`)
-  for (let k = 0; k < 2000; k++) {
+  const rows = places.map(([x, y], i) => `L,${i + 1},${x + (i === 1 ? right : 0)},${y + (i === 1 ? up : 0)}`)
+  for (let k = 0; k < count; k++) {
     const t = k / 10
     const [x, y] = [10 + 5 * Math.sin(0.2 * t), 12 - 5 * Math.cos(0.2 * t)]
     rows.push(`V,${t},1,0.2`)
     const [px, py] = places[k % 3]
     if (k % 2 === 0) rows.push(`R,${t},${(k % 3) + 1},${Math.hypot(px - x, py - y) + 0.3 * Math.sin(7.3 * k * k)}`)
   }
-  return file('circle.csv', rows.join('\n'))
+  return file(name, [...rows, ...more].join('\n'))
 }
+
+test('a landmark that stands elsewhere is taken there at a press, and where its file has it at another', async (t) => {
+  const { page, it, choose, answer } = await openLog(t, { viewport: { width: 390, height: 844 } })
+  await choose(circle('displaced.csv', 800, [1.2, -0.9], ['G,0,10,7,0']))
+  const bar = page.locator('robot-log .live .log-mend')
+  await bar.getByRole('button', { name: 'Take it there' }).click()
+  await answer.getByText('Landmark 2 is taken at (20').waitFor()
+  const back = bar.getByRole('button', { name: 'Undo' })
+  assert.equal(await back.evaluate((one) => one === document.activeElement), true, 'the next key undoes it')
+  const mended = await until(
+    it,
+    ({ judgement }) => judgement && judgement.suspects[0].fault !== 'displaced',
+    'the verdict',
+  )
+  const named = mended.judgement.suspects.find(({ fault }) => fault === 'displaced')
+  assert.equal(named.standing, 'cleared')
+  await back.click()
+  await until(it, ({ judgement }) => judgement?.suspects[0].fault === 'displaced', 'the verdict as before')
+  assert.equal(await answer.getByText('is taken at').count(), 0)
+  assert.equal(await back.isVisible(), false)
+  await bar.getByRole('button', { name: 'Take it there' }).click()
+  await answer.getByRole('button', { name: 'Read it as they have it' }).click()
+  await until(it, ({ judgement }) => judgement?.suspects[0].fault === 'displaced', 'the verdict as the file has it')
+  assert.equal(await back.isVisible(), false, 'nothing is left to undo')
+})
 
 test('a start that the verdict names is set at a press, and undone at another', async (t) => {
   const { page, it, choose } = await openLog(t, { viewport: { width: 1440, height: 900 } })
   assert.equal(await page.locator('.log-mend').isVisible(), false, 'nothing is named of the log that the page brings')
-  await choose(circle())
+  // Begun far from where the filter starts, and so long that a verdict takes several frames.
+  await choose(circle('circle.csv', 2000))
   const bar = page.locator('robot-log .live .log-mend')
   const press = bar.getByRole('button', { name: 'Set the start so' })
   await press.waitFor()

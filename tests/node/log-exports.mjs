@@ -97,6 +97,7 @@ export const logClasses = (lab) => ({
       'setCounting()': 5,
       'setOnly()': 5,
       'setFrame()': 1,
+      'correct()': 5,
     },
     methods: {
       add: (dice) => [`${dice.below(9)}.csv`, dice.pick(TABLES)],
@@ -115,6 +116,14 @@ export const logClasses = (lab) => ({
       setCounting: (dice, _, it) => [encoders(it, dice), dice.pick(['total', 'step', 'restarted'])],
       setOnly: (dice, _, it) => [fileOf(it, dice, ({ several }) => several !== null).at, dice.pick([null, 'T7', 'T9'])],
       setFrame: (dice, _, it) => [fileOf(it, dice, ({ frame }) => frame !== null).at, dice.pick(FRAMES)],
+      setOrigin: (dice, _, it) => [fileOf(it, dice, ({ frame }) => frame !== null).at, dice.pick([48, 91]), 11],
+      correct: (dice) => [
+        dice.pick([
+          [1, 1],
+          [0.97, 1.02],
+        ]),
+        dice.pick([[], [[1, 2, 3]]]),
+      ],
       read: () => [],
     },
     often: ['add', 'setColumn'],

@@ -86,7 +86,7 @@ test('a clock of its own and both are said as such', () => {
   const both = last(opened(truth(0.7, [12, -7], 1.5)))
   assert.match(both.asks[0], /are its frame and its clock others\?/)
   assert.equal(framesOf(both.frame)[1][1], 'its own frame and clock')
-  const mirrored = { said: null, foreign: false, own: { ...both.frame.own, mirrored: true, delay: 0 } }
+  const mirrored = { said: null, origin: null, foreign: false, own: { ...both.frame.own, mirrored: true, delay: 0 } }
   assert.equal(framesOf(mirrored)[1][1], 'its own frame: mirrored, turned and moved')
 })
 
@@ -104,6 +104,43 @@ test('the answer is written and read again, and of a truth that lies on the posi
   assert.deepEqual(again.files(), files.files())
   assert.equal(nextChange(settings.files, again.files()), null)
   assert.equal(follow(opened(truth(0, [0, 0]))), null)
+})
+
+test('where the origin of a truth in metres lies is typed, written and read again', () => {
+  const north = (/** @type {number} */ t) => [
+    50 + (at(t)[1] + error(t)) / 111_229,
+    8 + (at(t)[0] + error(t + 3000)) / 71_696,
+  ]
+  const degrees = Array.from({ length: 300 }, (_, k) => `${0.4 * k},${north(0.4 * k).map((one) => one.toFixed(8))}\n`)
+  const open = () => {
+    const files = new LogFiles()
+    files.add('wheels.csv', WHEELS)
+    files.add('gps.csv', `time_s,latitude,longitude\n${degrees.join('')}`)
+    files.add('truth.csv', truth(0, [0, 0]))
+    return files
+  }
+  const files = open()
+  assert.match(last(files).asks[0], /^Its places are in metres, the positions are in latitude and longitude/)
+  assert.throws(() => files.setOrigin(2, 91, 8), /origin/)
+  assert.throws(() => files.setOrigin(1, 50, 8), /origin/)
+  files.setOrigin(2, 50, 8)
+  const { frame, asks } = last(files)
+  assert.deepEqual([frame.said, [...frame.origin], asks], ['at', [50, 8], []])
+  assert.deepEqual(framesOf(frame)[2], ['at', 'same axes, origin at 50, 8'])
+  const { notes } = files.read().contents()
+  assert.ok(notes.includes('Positions are in metres east and north of 50.00000° N, 8.00000° E.'), notes.join(' '))
+  const settings = readSettings(settingsText({}, files.files()), known)
+  const again = open()
+  applyChange(again, nextChange(settings.files, again.files()) ?? {})
+  assert.deepEqual(last(again), last(files))
+  assert.equal(nextChange(settings.files, again.files()), null)
+  files.setFrame(2, 'moved')
+  assert.ok(
+    files
+      .read()
+      .contents()
+      .notes.some((/** @type {string} */ one) => /is moved by .* lies on the positions:/.test(one)),
+  )
 })
 
 test('of what stands in a field the beginning is shown, and of a date all that differs from row to row', () => {

@@ -3,6 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { NotOpen, isSameLog, isSettings, nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
+import { NONE, sameCorrections } from '../../web/page/log-corrections.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 
 const { LogFiles, LogTable, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
@@ -64,6 +65,34 @@ test('what is written is read again: settings, columns, units and wheels', () =>
   RobotLog.from(RobotLog.parse('V,0,1,0\nP,1,1,0\n'), { version: 1, lab: 'robot-log', params, step: 0 })
 })
 const usual = () => Object.fromEntries(known.map(({ name, default: value }) => [name, value]))
+
+test('what is read otherwise than the files have it is written and read again, and refused where it is none', () => {
+  const text = 'L,3,1,2\nO,0,1,0\nO,1,1,0.1\nR,1,3,2\n'
+  const files = opened(['log.csv', text])
+  const of = () => files.read().contents()
+  const none = JSON.parse(settingsText({}, files.files(), of()))
+  assert.ok(!('corrections' in none), 'nothing is corrected')
+  /** @type {import('estimate-wasm').LogCorrections} */
+  const corrections = { driven: [0.97, 1.01], landmarks: [[3, 1.5, 2]] }
+  applyChange(files, { corrections })
+  const contents = of()
+  assert.deepEqual(contents.landmarks, [{ id: 3, x: 1.5, y: 2 }])
+  assert.ok(contents.notes.includes('Landmark 3 is taken at (1.50, 2.00) m, and not at (1.00, 2.00) m.'))
+  const settings = readSettings(settingsText({}, files.files(), contents), known)
+  assert.deepEqual(settings.corrections, corrections)
+  assert.ok(sameCorrections(settings.corrections, contents.corrections))
+  assert.deepEqual(readSettings(JSON.stringify(none), known).corrections, NONE)
+  for (const wrong of [
+    {},
+    { ...corrections, driven: [0, 1] },
+    { ...corrections, landmarks: [[0.5, 1, 1]] },
+    { ...corrections, x: 1 },
+  ])
+    assert.throws(() => readSettings(JSON.stringify({ ...none, corrections: wrong }), known), /corrections are not/)
+  assert.throws(() => files.correct([0, 1], []), /driven: has a factor/)
+  assert.throws(() => files.correct([1], []), /driven/)
+  assert.throws(() => files.correct([1, 1], [[1, 2]]), /landmarks/)
+})
 
 test('whose rows are read, of several tags, is written and read again', () => {
   /** @type {[string, string]} */

@@ -93,6 +93,43 @@ test('what the filter can learn, it learns, and outliers are gated at their sens
   assert.deepEqual(remedy(tails, gated, false)?.patch, { gate: { fix: 0.95, range: 0.999 } })
 })
 
+test('where landmarks or odometry are wrong the log is read as the sentence says, beside former corrections', () => {
+  /** @type {any} */
+  const log = {
+    motion: 'odometry',
+    names: [],
+    landmarks: [
+      { id: 3, x: 1, y: 2 },
+      { id: 7, x: 4, y: 5 },
+    ],
+    corrections: { driven: [1.1, 1], landmarks: [[3, 1, 2]] },
+  }
+  const corrected = (given) => remedy(suspect({ name: null, ...given }), params, false, log)
+  const elsewhere = { fault: 'displaced', landmarks: [7], sizes: [size(4.8123, 0.03, 4), size(4.5, 0.03, 5)] }
+  assert.deepEqual(corrected(elsewhere), {
+    press: 'Take it there',
+    corrections: {
+      driven: [1.1, 1],
+      landmarks: [
+        [3, 1, 2],
+        [7, 4.812, 4.5],
+      ],
+    },
+  })
+  assert.match(sentence(suspect({ name: null, ...elsewhere }), false), /write 4\.812 ± 0\.030 m and 4\.500/)
+  assert.deepEqual(corrected({ fault: 'exchanged', landmarks: [3, 7], sizes: [] })?.corrections?.landmarks, [
+    [3, 4, 5],
+    [7, 1, 2],
+  ])
+  const odometry = { fault: 'odometry', sizes: [size(-0.0301, 0.0021), size(0.0123, 0.0034)] }
+  const { press, corrections } = corrected(odometry) ?? {}
+  assert.equal(press, 'Take them so')
+  const [along, about] = corrections?.driven ?? [0, 0]
+  assert.ok(Math.abs(along - 1.1 * 0.9699) < 1e-9 && Math.abs(about - 1.0123) < 1e-9, `${along} ${about}`)
+  assert.equal(corrected({ ...odometry, sizes: [{ ...size(9), end: true }, size(0)] }), null, 'another unit')
+  assert.equal(remedy(suspect({ name: null, ...odometry }), params, false), null, 'of no log')
+})
+
 test('what is the reader’s to say has no press: a unit, a sign, names, what lies at the end of a search', () => {
   const times = { value: 3.6, sigma: 0.01, set: 1, unit: ['km/h', 'm/s'] }
   assert.equal(set({ fault: 'scale', name: 'speedScale', sizes: [size(-0.72)], times }), null)

@@ -211,6 +211,35 @@ test('a landmark that stands elsewhere is said with how far, and where its place
   assert.equal(sentence(elsewhere, false), `Landmark 2 ${said}`)
 })
 
+test('odometry that reads too long or too short is said by factors, and by the wheels that do so', () => {
+  const sizes = [
+    { now: 0, value: -0.0301, sigma: 0.0021, end: false },
+    { now: 0, value: 0.0123, sigma: 0.0034, end: false },
+  ]
+  const odometry = (given) => suspect({ fault: 'odometry', name: null, sizes: given })
+  const log = { motion: 'odometry', names: [] }
+  const said =
+    'The robot drives 3.01 ± 0.21 % less far and turns 1.23 ± 0.34 % more than odometry reads: take the distances ' +
+    '0.9699 times and the turns 1.0123 times as they are read.'
+  const wheels = 'radius 0.9699 times and a base 0.9581 times as long as was said do the same.'
+  assert.equal(sentence(odometry(sizes), false, log), `${said} Of two wheels a ${wheels}`)
+  assert.equal(sentence(odometry(sizes), false, { ...log, wheels: true }), `${said} A ${wheels}`)
+  assert.match(sentence(odometry(sizes.slice(0, 1)), false, log), / less far than odometry reads: take the distances /)
+  assert.match(sentence(odometry([{ ...sizes[0], value: 9, end: true }]), false, log), /mend their unit\.$/)
+  const cleared = (more) =>
+    ranked(judgement([...more, suspect({ standing: 'cleared' })]), { rows: 1000, truth: false, log })
+  assert.match(cleared([]), / A scale of the distances of O rows is not among them\./)
+  assert.doesNotMatch(cleared([{ ...odometry(sizes), standing: 'cleared' }]), /is not among them/)
+})
+
+test('errors far beyond the ellipse of a log without a fault speak against the truth', () => {
+  const against = (outside) => ({ against: { rmse: 1, nees: 9, outside } })
+  const said = (outside) =>
+    ranked(judgement([suspect({ standing: 'cleared' })], against(outside)), { rows: 1000, truth: true })
+  assert.match(said(0.6), /so it is the truth that may be off: its origin, its axes, its clock or its own errors\.$/)
+  assert.doesNotMatch(said(0.1), /the truth that may be off/)
+})
+
 test('a start is said with how well it is known, and far from its origin with its digits', () => {
   const size = (value, sigma) => ({ now: 0, value, sigma })
   const far = suspect({

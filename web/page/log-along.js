@@ -2,6 +2,7 @@
 
 import { button, part } from '../draw/dom.js'
 import { save } from '../figure/save.js'
+import { sameCorrections } from './log-corrections.js'
 import { robotLocalization } from './log-export.js'
 import { filterpy } from './log-filterpy.js'
 import {
@@ -138,7 +139,7 @@ class Opened {
       if (file.size > MOST_SETTINGS) throw new Error('it is too large to hold settings.')
       const [text, run] = await Promise.all([file.text(), page.run()])
       const settings = readSettings(text, run.parameters())
-      const { params, missing } = settings
+      const { params, missing, corrections } = settings
       const files = page.isLog() && isSameLog(settings, page.files(), run.contents) ? [] : settings.files
       for (; read < MOST_CHANGES; read += 1) {
         const change = nextChange(files, page.files())
@@ -152,6 +153,7 @@ class Opened {
         const then = 'The filter has its settings once the files make a log.'
         return [`${file.name}: the files are read as it says. ${then}`, false]
       }
+      if (!sameCorrections(run.contents.corrections, corrections)) await page.reread({ corrections })
       page.change(params)
       const usual = missing.length > 0 ? ` It says nothing of ${missing.join(', ')}: they have their usual values.` : ''
       return [`The filter has the settings of ${file.name}.${usual}`, true]

@@ -95,6 +95,13 @@ export class Answer {
     pressed.className = 'try'
   }
 
+  /** Says that the log is read otherwise than its files have it, and reads it as they do. @param {() => void} act */
+  correct(act) {
+    const line = part(document, this.box, 'p', '')
+    line.append('The log is read otherwise than its files have it. ')
+    button(document, line, 'Read it as they have it', act).className = 'try'
+  }
+
   /**
    * What came of a file of settings, below what is said of the log.
    * @param {string} words @param {boolean} taken then no others are offered

@@ -16,9 +16,10 @@ export class Bench {
   /**
    * @param {HTMLElement & { figure: any }} host of the figure
    * @param {HTMLElement} strip what a reader sets
-   * @param {{ change: (patch: Record<string, unknown>) => void, follow: () => void }} orders
+   * @param {{ change: (patch: Record<string, unknown>) => void, follow: () => void,
+   *   reread: ConstructorParameters<typeof MendBar>[1] }} orders
    */
-  constructor(host, strip, { change, follow }) {
+  constructor(host, strip, { change, follow, reread }) {
     this.host = host
     this.strip = strip
     this.look = (/** @type {any} */ looks) => {
@@ -27,7 +28,7 @@ export class Bench {
       follow()
     }
     this.likelihood = new LikelihoodLine({ change, look: this.look })
-    this.mend = new MendBar(change)
+    this.mend = new MendBar(change, reread)
     this.view = new ViewBar(this.look)
     this.sources = new SourceTable(this.look)
     this.map = new LikelihoodMap(() => host.figure.run, change)

@@ -45,12 +45,13 @@ export function unreadWords(names) {
  * @param {NonNullable<LogFile['frame']>} frame
  * @returns {[string, string][]}
  */
-export function framesOf({ foreign, own }) {
+export function framesOf({ foreign, origin, own }) {
   /** @type {[string, string][]} */
   const options = foreign
     ? [
         ['same', 'origin and axes of the positions'],
-        ['moved', 'same axes, another origin: moved onto the first fix'],
+        ['moved', 'same axes, another origin: moved onto the positions'],
+        .../** @type {[string, string][]} */ (origin ? [['at', `same axes, origin at ${origin.join(', ')}`]] : []),
       ]
     : [['same', own?.framed ? 'the same frame' : 'the same clock']]
   if (own) options.push(['own', ownWords(own)])

@@ -156,19 +156,11 @@ export class FileForm {
    */
   wheels(set, i, wheels, needs) {
     for (const [name, words] of WHEELS.filter(([one]) => needs.includes(one))) {
-      const line = part(document, set, 'label', '')
-      part(document, line, 'span', '').textContent = words
-      const input = /** @type {HTMLInputElement} */ (part(document, line, 'input', ''))
-      input.type = 'text'
-      input.inputMode = 'decimal'
-      input.value = String(wheels[name] ?? '')
-      input.setAttribute('data-key', `${i} ${name}`)
-      input.addEventListener('change', () => {
-        const number = Number(input.value.replace(',', '.'))
-        const sound = Number.isFinite(number) && number > 0
-        input.setAttribute('aria-invalid', String(!sound))
-        if (sound) this.change({ file: i, wheel: name, number })
+      const input = this.entry(set, `${i} ${name}`, words, String(wheels[name] ?? ''), (text) => {
+        const number = Number(text.replace(',', '.'))
+        return Number.isFinite(number) && number > 0 ? { file: i, wheel: name, number } : null
       })
+      input.inputMode = 'decimal'
     }
     if (!needs.includes('counting')) return
     /** @type {[string, string][]} */
@@ -212,7 +204,42 @@ export class FileForm {
     const options = framesOf(frame)
     if (said === null) options.unshift(['', 'choose one'])
     const label = foreign ? 'its frame' : 'its frame and clock'
-    this.choice(cell, `${i} frame`, label, options, said ?? '', (frame) => ({ file: i, frame }))
+    this.choice(cell, `${i} frame`, label, options, said ?? '', (one) => ({ file: i, frame: one }))
+    if (foreign) this.origin(into, i, frame.origin)
+  }
+
+  /**
+   * Where the origin of a truth lies.
+   * @param {Element} into @param {number} i @param {[number, number] | null} origin
+   */
+  origin(into, i, origin) {
+    const words = 'or its origin’s latitude and longitude, °'
+    this.entry(into, `${i} origin`, words, (origin ?? []).join(', '), (text) => {
+      const found = text.match(/-?\d+(?:\.\d+)?/g)?.map(Number) ?? []
+      const [latitude, longitude] = found
+      const sound = found.length === 2 && Math.abs(latitude) <= 90 && Math.abs(longitude) <= 360
+      return sound ? { file: i, origin: [latitude, longitude] } : null
+    })
+  }
+
+  /**
+   * A field for numbers.
+   * @param {Element} into @param {string} key @param {string} label @param {string} value
+   * @param {(text: string) => Change | null} make null of what cannot be taken
+   */
+  entry(into, key, label, value, make) {
+    const line = part(document, into, 'label', '')
+    part(document, line, 'span', '').textContent = label
+    const input = /** @type {HTMLInputElement} */ (part(document, line, 'input', ''))
+    input.type = 'text'
+    input.value = value
+    input.setAttribute('data-key', key)
+    input.addEventListener('change', () => {
+      const change = make(input.value)
+      input.setAttribute('aria-invalid', String(!change))
+      if (change) this.change(change)
+    })
+    return input
   }
 
   /**

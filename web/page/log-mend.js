@@ -1,6 +1,10 @@
-/** What the verdict names, set at a press below it and undone at another. */
+/**
+ * What the verdict names, set at a press below it and undone at another. What no setting mends, the places of landmarks
+ * and the size of wheels, is read otherwise than the files have it.
+ */
 
 import { button, part } from '../draw/dom.js'
+import { factors } from '../widgets/robot-log/driven.js'
 import { rounded } from '../widgets/robot-log/sized.js'
 import { wrapped } from '../widgets/robot-log/start.js'
 import { named } from '../widgets/robot-log/verdict.js'
@@ -10,6 +14,8 @@ import { bySensor } from './log-numbers.js'
 /** @typedef {import('estimate-wasm').LogSuspect} Suspect */
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
 /** @typedef {Record<string, unknown>} Patch */
+/** @typedef {import('estimate-wasm').LogCorrections} Corrections */
+/** @typedef {{ press: string, patch?: Patch, corrections?: Corrections }} Remedy */
 
 /** What refuses outliers and next to nothing else. */
 const GATE = 0.999
@@ -26,13 +32,46 @@ const LEARNED = { turnBias: 'learnBias', speedScale: 'learnSpeed' }
 const said = (size, times = 1) => Number((rounded(size, times) / times).toPrecision(12))
 
 /**
+ * What is read otherwise where landmarks or odometry are wrong; null where they are not, or a unit is.
+ * @param {Suspect} suspect @param {Frame['log']} log
+ * @returns {Remedy | null}
+ */
+function corrected({ fault, landmarks: ids, sizes }, log) {
+  if (!log?.corrections) return null
+  const { driven, landmarks: moved } = log.corrections
+  if (fault === 'odometry') {
+    if (sizes[0].end) return null
+    const [along, about = 1] = factors(sizes)
+    return { press: 'Take them so', corrections: { driven: [driven[0] * along, driven[1] * about], landmarks: moved } }
+  }
+  const at = (/** @type {number} */ id) => log.landmarks?.find((one) => one.id === id)
+  const [one, other = one] = ids ?? []
+  const [here, there] = [at(one), at(other)]
+  if (!here || !there) return null
+  const [x, y] = sizes.map((size) => said(size))
+  /** @type {Corrections['landmarks']} */
+  const places =
+    fault === 'displaced'
+      ? [[one, x, y]]
+      : [
+          [one, there.x, there.y],
+          [other, here.x, here.y],
+        ]
+  const others = moved.filter(([id]) => !ids?.includes(id))
+  const press = fault === 'displaced' ? 'Take it there' : 'Exchange them'
+  return { press, corrections: { driven, landmarks: [...others, ...places] } }
+}
+
+/**
  * The setting that mends a fault as its sentence says, and the words of the press; null where the reader has to mend
  * the file, a unit or the truth.
- * @param {Suspect} suspect @param {Frame['params']} params @param {boolean} truth
- * @returns {{ press: string, patch: Patch } | null}
+ * @param {Suspect} suspect @param {Frame['params']} params @param {boolean} truth @param {Frame['log']} [log]
+ * @returns {Remedy | null}
  */
-export function remedy({ fault, name, with: other, sensor, sizes, times: read }, params, truth) {
-  if (['mirrored', 'exchanged', 'displaced'].includes(fault)) return null
+export function remedy(suspect, params, truth, log = null) {
+  const { fault, name, with: other, sensor, sizes, times: read } = suspect
+  if (fault === 'mirrored') return null
+  if (['odometry', 'exchanged', 'displaced'].includes(fault)) return corrected(suspect, log)
   if (fault === 'tails')
     return { press: 'Switch the gate on', patch: { gate: { ...bySensor(params.gate), [sensor ?? 'fix']: GATE } } }
   if (fault === 'start') {
@@ -55,8 +94,8 @@ export function remedy({ fault, name, with: other, sensor, sizes, times: read },
  * The presses for what a judgement names: one, or two where the readings do not tell which it is.
  * @param {LogJudgement | null} judgement @param {Frame} frame
  */
-export function remedies(judgement, { params, truth }) {
-  const all = (judgement ? named(judgement) : []).map((suspect) => remedy(suspect, params, Boolean(truth)))
+export function remedies(judgement, { params, truth, log }) {
+  const all = (judgement ? named(judgement) : []).map((suspect) => remedy(suspect, params, Boolean(truth), log))
   const either = ['Either', 'Or']
   return all.flatMap((one, i) => {
     if (!one) return []
@@ -66,9 +105,14 @@ export function remedies(judgement, { params, truth }) {
 }
 
 export class MendBar {
-  /** @param {(patch: Patch) => void} change */
-  constructor(change) {
+  /**
+   * @param {(patch: Patch) => void} change
+   * @param {{ may: () => boolean, take: (corrections: Corrections) => Promise<void> }} reread whether the page has the
+   * files of the log, and how these are read otherwise
+   */
+  constructor(change, reread) {
     this.change = change
+    this.reread = reread
     this.box = document.createElement('div')
     this.box.className = 'log-mend'
     this.box.tabIndex = -1
@@ -76,13 +120,16 @@ export class MendBar {
     this.undoing = button(document, this.box, 'Undo', () => this.undo())
     /** What the presses are of. @type {LogJudgement | null} */
     this.judgement = null
-    /** What presses have set, and what was set before each. @type {{ patch: Patch, before: Patch }[]} */
+    /** What presses have set or corrected, and what was so before each. @type {{ mended: Remedy, before: Remedy }[]} */
     this.taken = []
+    /** Whether the log that comes is this one, corrected. */
+    this.correcting = false
     this.begin()
   }
 
-  /** Another log. */
+  /** Another log, or this one as it is corrected. */
   begin() {
+    if (this.correcting) return
     this.taken = []
     this.judgement = null
     this.presses.replaceChildren()
@@ -95,7 +142,8 @@ export class MendBar {
     const { judgement = null, judging } = frame
     const last = this.taken.at(-1)
     // What the reader has set otherwise since is not undone.
-    if (last && Object.entries(last.patch).some(([name, value]) => !same(wanted[name], value))) this.taken = []
+    const set = Object.entries(last?.mended.patch ?? {})
+    if (set.some(([name, value]) => !same(wanted[name], value))) this.taken = []
     // While the next verdict is looked for, the presses keep their places and wait: nothing moves under the finger.
     if (judging) this.wait()
     else if (judgement !== this.judgement) this.fill(judgement, frame, wanted)
@@ -107,31 +155,49 @@ export class MendBar {
     this.judgement = judgement
     this.presses.replaceChildren()
     if (judgement) this.hold('')
-    for (const { press, patch } of remedies(judgement, frame))
-      button(document, this.presses, press, () => this.take(patch, wanted), 'button')
+    for (const remedy of remedies(judgement, frame))
+      if (remedy.patch || this.reread.may())
+        button(document, this.presses, remedy.press, () => this.take(remedy, frame, wanted), 'button')
   }
 
   /** Keeps what was set before a press, for Undo. @param {Patch} patch what it sets @param {Patch} wanted */
   keep(patch, wanted) {
-    this.taken.push({ patch, before: Object.fromEntries(Object.keys(patch).map((name) => [name, wanted[name]])) })
+    const before = Object.fromEntries(Object.keys(patch).map((name) => [name, wanted[name]]))
+    this.taken.push({ mended: { press: '', patch }, before: { press: '', patch: before } })
     this.hide()
   }
 
-  /** @param {Patch} patch @param {Patch} wanted */
-  take(patch, wanted) {
-    this.keep(patch, wanted)
+  /** @param {Remedy} remedy @param {Frame} frame @param {Patch} wanted */
+  take(remedy, { log }, wanted) {
+    const { patch } = remedy
+    if (patch) this.keep(patch, wanted)
+    else this.taken.push({ mended: remedy, before: { press: '', corrections: log?.corrections } })
+    this.hide()
     this.undoing.focus({ preventScroll: true })
     this.wait()
     this.hold()
-    this.change(patch)
+    this.mend(remedy)
+  }
+
+  /** @param {Remedy} remedy */
+  async mend({ patch, corrections }) {
+    if (patch) this.change(patch)
+    if (!corrections) return
+    this.correcting = true
+    try {
+      await this.reread.take(corrections)
+    } finally {
+      this.correcting = false
+    }
   }
 
   undo() {
     const last = this.taken.pop()
     if (!last) return
     if (this.taken.length === 0) this.box.focus({ preventScroll: true })
+    this.wait()
     this.hold()
-    this.change(last.before)
+    this.mend(last.before)
   }
 
   /**

@@ -3,6 +3,8 @@
  * read. A file with anything in it that is not known is refused by name, and changes nothing.
  */
 
+import { NONE, areCorrections, isCorrected, plain } from './log-corrections.js'
+
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('estimate-wasm').LogContents} LogContents */
 /** @typedef {import('estimate-wasm').Parameter} Parameter */
@@ -11,16 +13,19 @@
 /**
  * @typedef {{
  *   name: string, role: string, header: string[], values: Record<string, SavedValue>, wheels: LogFile['wheels'],
- *   only?: string | null, frame?: string,
- * }} SavedFile with `only` where a column tells the rows of several robots apart, and it was said whose are read, and
- * `frame` where it was said which frame and clock a truth has
+ *   only?: string | null, frame?: string, origin?: [number, number],
+ * }} SavedFile with `only` where a column tells the rows of several robots apart, and it was said whose are read,
+ * `frame` where it was said which frame and clock a truth has, and `origin` where that is at a point
  */
 /**
  * @typedef {object} SavedLog what tells a log from another, whatever it was read from
  * @property {number} steps @property {number[]} span @property {string} motion @property {number} landmarks
  * @property {Record<string, number>} readings
  */
-/** @typedef {{ params: Record<string, any>, files: SavedFile[], missing: string[], log: SavedLog | null }} Settings */
+/**
+ * @typedef {{ params: Record<string, any>, files: SavedFile[], missing: string[], log: SavedLog | null,
+ *   corrections: import('estimate-wasm').LogCorrections }} Settings
+ */
 
 const FORMAT = 'robot-motion log settings'
 const VERSION = 1
@@ -28,7 +33,7 @@ const VERSION = 1
 export const MOST_SETTINGS = 1_000_000
 const LOG = ['steps', 'span', 'motion', 'landmarks', 'readings']
 /** What the frame and the clock of a truth may be. */
-const FRAMES = ['same', 'moved', 'own']
+const FRAMES = ['same', 'moved', 'at', 'own']
 const WHEELS = ['ticks', 'radius', 'base', 'counting']
 
 /** Settings are of files that are not open. */
@@ -58,9 +63,11 @@ export function settingsText(params, files, contents = null) {
       wheels,
       ...(several && !several.asked ? { only: several.only } : {}),
       ...(frame?.said ? { frame: frame.said } : {}),
+      ...(frame?.origin ? { origin: frame.origin } : {}),
     }))
   const log = contents ? { log: logOf(contents) } : {}
-  const all = { format: FORMAT, version: VERSION, settings: params, files: saved, ...log }
+  const corrected = contents && isCorrected(contents) ? { corrections: plain(contents.corrections) } : {}
+  const all = { format: FORMAT, version: VERSION, settings: params, files: saved, ...log, ...corrected }
   return `${JSON.stringify(all, (_, value) => (ArrayBuffer.isView(value) ? Array.from(listOf(value)) : value), 2)}\n`
 }
 
@@ -89,7 +96,7 @@ export function readSettings(text, known) {
   } catch {
     throw new Error('it is no JSON: it was changed, or is another file.')
   }
-  only(read, ['format', 'version', 'settings', 'files', 'log'], 'the file')
+  only(read, ['format', 'version', 'settings', 'files', 'log', 'corrections'], 'the file')
   if (read.format !== FORMAT) throw new Error(`format is not “${FORMAT}”: it is another file.`)
   if (read.version !== VERSION) throw new Error(`version is ${shown(read.version)}; this page reads ${VERSION}.`)
   only(
@@ -102,9 +109,12 @@ export function readSettings(text, known) {
   read.files.forEach(file)
   const log = read.log ?? null
   if (log !== null) only(log, LOG, 'log', LOG)
+  const corrections = read.corrections ?? NONE
+  if (!areCorrections(corrections)) throw new Error('corrections are not two factors and places of landmarks.')
   const missing = known.filter(({ name }) => !(name in read.settings))
   const usual = Object.fromEntries(missing.map((one) => [one.name, one.default]))
-  return { params: { ...usual, ...read.settings }, files: read.files, missing: missing.map(({ name }) => name), log }
+  const names = missing.map(({ name }) => name)
+  return { params: { ...usual, ...read.settings }, files: read.files, missing: names, log, corrections }
 }
 
 /** @param {unknown} value */
@@ -165,8 +175,9 @@ function setting(value, { name, default: usual, least, greatest }) {
 function file(it, i) {
   const where = `files[${i}]`
   const names = ['name', 'role', 'header', 'values', 'wheels']
-  only(it, [...names, 'only', 'frame'], where, names)
+  only(it, [...names, 'only', 'frame', 'origin'], where, names)
   if (it.frame !== undefined && !FRAMES.includes(it.frame)) throw new Error(`${where}.frame is ${shown(it.frame)}.`)
+  if ((it.frame === 'at') !== numbers(it.origin, 2)) throw new Error(`${where}.origin is ${shown(it.origin)}.`)
   if (it.only !== undefined && it.only !== null && typeof it.only !== 'string')
     throw new Error(`${where}.only is no text.`)
   for (const name of ['name', 'role']) if (typeof it[name] !== 'string') throw new Error(`${where}.${name} is no text.`)
@@ -226,7 +237,7 @@ function placeOf({ name, header }, files) {
 
 /** @param {SavedFile} saved @param {LogFile} file @returns {Omit<Change, 'file'> | null} */
 function changeOf(saved, { role: now, header, values: current, wheels: turning, several, frame: origin }) {
-  const { name, role, values, wheels, only: one, frame } = saved
+  const { name, role, values, wheels, only: one, frame, origin: at } = saved
   if (role !== now) return { role }
   for (const [value, wanted] of Object.entries(values)) {
     const found = current.find((one) => one.name === value)
@@ -245,6 +256,7 @@ function changeOf(saved, { role: now, header, values: current, wheels: turning, 
   }
   // Of another recording the truth may lie on the positions, or be in latitude and longitude: then nothing is said.
   const offered = { same: true, moved: origin?.foreign, own: Boolean(origin?.own) }
+  if (at && origin?.foreign && String(origin.origin) !== String(at)) return { origin: at }
   if (frame !== undefined && origin && origin.said !== frame && offered[/** @type {'same'} */ (frame)]) return { frame }
   if (!wheels) return null
   for (const wheel of /** @type {const} */ (['ticks', 'radius', 'base'])) {

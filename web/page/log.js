@@ -11,19 +11,19 @@ import { WIDGETS } from '../widgets/index.js'
 import { awaken } from './figures.js'
 import { takeAlong } from './log-along.js'
 import { Answer, PASTED } from './log-answer.js'
+import { NONE, isCorrected } from './log-corrections.js'
 import { Bench } from './log-bench.js'
 import { shortName } from './file-name.js'
 import { EXAMPLES, PUZZLE, addressOf } from './log-examples.js'
 import { FileForm } from './log-files.js'
 import { Forms } from './log-forms.js'
+import { printReport } from './log-print.js'
 import { readingBar } from './log-reading.js'
 import { Report } from './log-report.js'
 import { sight } from './log-sight.js'
 
 /** Larger files are refused before they are read, bytes. */
 const MOST_BYTES = 64_000_000
-/** How long printing waits for the figure, milliseconds. */
-const DRAWN_MS = 2000
 const GIVEN_UP = 'Reading was given up. The figure keeps the previous log.'
 
 export function ownLog() {
@@ -40,11 +40,15 @@ class OwnLog {
     this.bench = new Bench(this.figure, this.forms.box, {
       change: this.forms.change,
       follow: () => this.forms.follow(),
+      reread: {
+        may: () => this.held !== undefined && this.set === this.held,
+        take: (corrections) => this.reread({ corrections }),
+      },
     })
     this.forms.keep = (patch, before) => this.bench.mend.keep(patch, before)
     this.report = new Report(report, {
       table: (kind) => this.download(kind),
-      print: () => this.print(),
+      print: () => printReport(this.figure),
     })
     // The page has the controls from the start, so that nothing moves when this script comes.
     this.choose(place)
@@ -53,7 +57,7 @@ class OwnLog {
     this.examples(place)
     this.answer = new Answer(/** @type {HTMLElement} */ (place.querySelector('.log-answer')), this.text)
     this.form = new FileForm(/** @type {HTMLElement} */ (place.querySelector('.log-files')), (change) =>
-      this.take({ kind: 'reading', set: this.set, change }),
+      this.reread(change),
     )
     /** The question that brought the files that the form shows. @type {number | undefined} */
     this.set = undefined
@@ -65,7 +69,7 @@ class OwnLog {
       run: () => this.run(),
       files: () => this.files,
       isLog: () => this.set === this.held,
-      reread: (change) => this.take({ kind: 'reading', set: this.set, change }),
+      reread: (change) => this.reread(change),
       change: (patch) => this.forms.change(patch),
     })
     /** How often the reader has given up a reading. */
@@ -256,6 +260,12 @@ class OwnLog {
     for (const note of notes) part(document, this.answer.box, 'p', '').textContent = note
     this.answer.lead()
     if (told) this.answer.offer(told, () => this.forms.change(told.patch))
+    if (isCorrected(contents)) this.answer.correct(() => this.reread({ corrections: NONE }))
+  }
+
+  /** Reads the files of the log otherwise. @param {import('../widgets/robot-log/change.js').Change} change */
+  reread(change) {
+    return this.take({ kind: 'reading', set: this.set, change })
   }
 
   // What the reader takes away.
@@ -266,29 +276,5 @@ class OwnLog {
     const { text, message } = await run.table(kind)
     if (text) save(`${kind}.csv`, 'text/csv', text)
     else this.report.say(message)
-  }
-
-  async print() {
-    const { dataset } = document.documentElement
-    if ('report' in dataset) return // It is being drawn for paper already.
-    dataset.report = ''
-    addEventListener(
-      'afterprint',
-      () => {
-        delete dataset.report
-      },
-      { once: true },
-    )
-    await this.drawn()
-    print()
-  }
-
-  /** Waits until every panel is drawn for the report's width, so that letters have one size in all of them. */
-  async drawn() {
-    const panels = /** @type {SVGSVGElement[]} */ ([...this.figure.querySelectorAll('.live > .panel')])
-    const fits = () =>
-      panels.every(({ clientWidth, viewBox }) => clientWidth === 0 || Math.abs(clientWidth - viewBox.baseVal.width) < 2)
-    for (const until = performance.now() + DRAWN_MS; !fits() && performance.now() < until; )
-      await new Promise(requestAnimationFrame)
   }
 }

@@ -26,7 +26,7 @@ impl CarLog {
     /// Reads a log. What is no log throws a `LogError`, which says in which line and column.
     pub fn parse(text: &JsValue) -> Result<DriveLog, Thrown> {
         let text = text_of(text)?;
-        Ok(DriveLog::keep(robot_log::parse(&text)?, Vec::new(), Vec::new(), false))
+        Ok(DriveLog::keep(robot_log::parse(&text)?.into()))
     }
 
     /// The log replayed; what `params` leaves out takes its default.

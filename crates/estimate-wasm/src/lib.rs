@@ -41,6 +41,8 @@ mod kalman_filter;
 #[cfg(feature = "labs")]
 mod lab;
 #[cfg(feature = "log")]
+mod log_corrections;
+#[cfg(feature = "log")]
 mod log_file;
 #[cfg(feature = "log")]
 mod log_files;

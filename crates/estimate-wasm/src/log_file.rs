@@ -1,6 +1,6 @@
 //! A file of a log as the page shows it: how it is read, and what it asks.
 
-use crate::encode::record;
+use crate::encode::{list, record};
 use js_sys::Array;
 use robot_log::{Counting, Error, File, Frame, Own, Rigid, Role, WHEEL_NUMBERS, units_of};
 use wasm_bindgen::prelude::*;
@@ -56,12 +56,15 @@ export interface LogOwn {
     /** How far its stamps are shifted, s; 0 where its clock is the log's. */
     delay: number;
 }
-/** Which frame and clock a truth has: those of the fixes; another origin, and the truth is moved onto the first fix; or
-    its own, and the truth is turned, shifted and shifted in time onto all fixes. */
+/** Which frame and clock a truth has: those of the fixes; another origin, and the truth is moved onto the fixes, or the
+    origin is said; or its own, and the truth is turned, shifted and shifted in time onto the fixes. */
 export interface LogOrigin {
     /** Null where it has to be said. */
-    said: "same" | "moved" | "own" | null;
-    /** Whether its places are counted from another point than the fixes', as their units say: it may be "moved". */
+    said: "same" | "moved" | "at" | "own" | null;
+    /** Where its origin is "at", as it was said: latitude and longitude, degrees. */
+    origin: [number, number] | null;
+    /** Whether its places are counted from another point than the fixes', as their units say: it may be "moved", or
+        "at" a point. */
     foreign: boolean;
     /** What the fixes and the motion tell: it may be "own"; else null. */
     own: LogOwn | null;
@@ -125,9 +128,11 @@ fn origin(file: &File) -> JsValue {
     if !file.is_foreign() && file.own().is_none() {
         return JsValue::NULL;
     }
+    let origin = if let Some(Frame::At(origin)) = file.frame() { Some(origin) } else { None };
     let said = FRAMES.iter().find(|(_, frame)| file.frame() == Some(*frame)).map(|(name, _)| *name);
     record(&[
-        ("said", said.map_or(JsValue::NULL, Into::into)),
+        ("said", said.or(origin.map(|_| "at")).map_or(JsValue::NULL, Into::into)),
+        ("origin", origin.map_or(JsValue::NULL, |origin| list(&origin))),
         ("foreign", file.is_foreign().into()),
         ("own", file.own().map_or(JsValue::NULL, own)),
     ])

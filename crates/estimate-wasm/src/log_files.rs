@@ -118,6 +118,35 @@ impl LogFiles {
         self.change(file, "file", |files, file| files.set_frame(file, frame))
     }
 
+    /// Says at which latitude and longitude, in degrees, the origin of a truth lies, of which that is asked.
+    #[wasm_bindgen(js_name = setOrigin)]
+    pub fn set_origin(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] file: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number")] latitude: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number")] longitude: &JsValue,
+    ) -> Result<(), Thrown> {
+        self.0.is(FILES)?;
+        let [latitude, longitude] =
+            [Arg::new(latitude, "latitude").number()?, Arg::new(longitude, "longitude").number()?];
+        self.change(file, "origin", |files, file| files.set_origin(file, latitude, longitude))
+    }
+
+    /// Reads the log otherwise than its files have it: `driven` is how many times distances and turns of odometry are
+    /// taken as they are read, both above 0, and `landmarks` lists id, x and y of each landmark that stands elsewhere.
+    pub fn correct(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "[number, number]")] driven: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "[number, number, number][]")] landmarks: &JsValue,
+    ) -> Result<(), Thrown> {
+        self.0.is(FILES)?;
+        let corrections = crate::log_corrections::read(driven, landmarks)?;
+        self.0.write(FILES, |files: &mut Files| {
+            let message = "has a factor that is not above 0";
+            if files.correct(corrections) { Ok(()) } else { Err(Error::new(Code::Limit, "driven", message)) }
+        })
+    }
+
     /// Says a number of encoders, above 0: `"ticks"` of a turn of the wheel, its `"radius"` or the wheels' `"base"`, m.
     #[wasm_bindgen(js_name = setWheel)]
     pub fn set_wheel(
@@ -154,7 +183,7 @@ impl LogFiles {
             files.compare();
             Ok::<_, Error>(files.read())
         })??;
-        Ok(DriveLog::keep(read.log, read.notes, read.landmarks, read.wheels))
+        Ok(DriveLog::keep(read))
     }
 
     /// Changes how a file is read; what there is not is refused in the name of `argument`.

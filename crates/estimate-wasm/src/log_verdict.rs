@@ -15,7 +15,7 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 /** A fault that was looked for in a log. */
 export interface LogSuspect {
-    fault: 'start' | 'clock' | 'bias' | 'scale' | 'tails' | 'sigma' | 'turned' | 'mirrored' | 'exchanged'
+    fault: 'start' | 'clock' | 'bias' | 'scale' | 'odometry' | 'tails' | 'sigma' | 'turned' | 'mirrored' | 'exchanged'
         | 'displaced';
     /** The parameter that mends it; null of the start, of outliers, which a gate refuses, and where none does. */
     name: string | null;
@@ -27,8 +27,9 @@ export interface LogSuspect {
     landmarks: number[] | null;
     /**
      * As it is set, where the readings are likeliest, and how well they tell it, null where they do not: of each
-     * parameter; of the start x, y and θ in metres and radians; of a landmark x and y; of outliers their share. Empty
-     * where nothing is set.
+     * parameter; of the start x, y and θ in metres and radians; of a landmark x and y; of outliers their share; of
+     * odometry the shares by which distances and, where it turns, turns are larger than they are read. Empty where
+     * nothing is set.
      */
     sizes: {
         now: number; value: number; sigma: number | null;

@@ -4,6 +4,7 @@ use crate::decode::Arg;
 use crate::encode::{Row, record};
 use crate::errors::Thrown;
 use crate::lab::{AnyLab, RobotLog};
+use crate::log_corrections;
 use crate::object::Held;
 use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Settings, Summary, lacks, log_likelihood};
 use estimate::validate::finite;
@@ -11,6 +12,7 @@ use estimate::{Code, Error, Landmark};
 use js_sys::{Array, JsString};
 use lab::{Lab, Params, Plain};
 use labs::{LogParams, LoggedDrive};
+use robot_log::{Corrections, Understood};
 use std::cell::RefCell;
 use std::sync::{Arc, Weak};
 use wasm_bindgen::prelude::*;
@@ -35,6 +37,8 @@ export interface LogContents {
     lacks: "speed" | "turn rate" | null;
     /** Whether turn rates come from the encoders of two wheels alone: no gyro reads any. */
     wheels: boolean;
+    /** What is read otherwise than its files have it. */
+    corrections: LogCorrections;
     /** How many readings each sensor has; one without any is not there. */
     readings: { fix?: number; heading?: number; range?: number; bearing?: number };
     /** Of the sensors whose readings bring a σ of their own: how many do, and the least and the greatest of these. */
@@ -113,6 +117,7 @@ struct LogContents {
     notes: Vec<String>,
     names: Vec<String>,
     wheels: bool,
+    corrections: Corrections,
 }
 
 const LOG: &str = "DriveLog";
@@ -137,6 +142,7 @@ impl DriveLog {
                 ("readings", readings(drive)),
                 ("own", own(drive)),
                 ("wheels", held.wheels.into()),
+                ("corrections", log_corrections::shown(&held.corrections)),
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
                 ("opening", opening(drive)),
@@ -153,13 +159,9 @@ impl DriveLog {
 }
 
 impl DriveLog {
-    /// A log that was read, what was left out of it, what its landmarks are called, and whether wheels alone turn it.
-    pub(crate) fn keep(
-        robot_log::Log { drive, count }: robot_log::Log,
-        notes: Vec<String>,
-        names: Vec<String>,
-        wheels: bool,
-    ) -> Self {
+    /// A log that was read.
+    pub(crate) fn keep(read: Understood) -> Self {
+        let Understood { log: robot_log::Log { drive, count }, notes, landmarks: names, wheels, corrections } = read;
         let logged = Arc::new(LoggedDrive::new(drive));
         let handle = LOGS.with_borrow_mut(|logs| {
             let handle = logs.last().map_or(1.0, |(last, _)| last + 1.0);
@@ -167,7 +169,7 @@ impl DriveLog {
             logs.push((handle, Arc::downgrade(&logged)));
             handle
         });
-        Self(Held::new(LOG, LogContents { handle, logged, rows: count, notes, names, wheels }))
+        Self(Held::new(LOG, LogContents { handle, logged, rows: count, notes, names, wheels, corrections }))
     }
 }
 
@@ -221,7 +223,7 @@ impl RobotLog {
     /// Reads a log. What is no log throws a `LogError`, which says in which line and column.
     pub fn parse(text: &JsValue) -> Result<DriveLog, Thrown> {
         let text = text_of(text)?;
-        Ok(DriveLog::keep(robot_log::parse(&text)?, Vec::new(), Vec::new(), false))
+        Ok(DriveLog::keep(robot_log::parse(&text)?.into()))
     }
 
     /// How likely the readings from a time on are under `params`.

@@ -1,7 +1,7 @@
 //! The rigid motion that brings a truth onto the fixes: a turn, a shift, and a mirror where the axes have another hand.
 //! In the plane least squares has a closed form: the turn is the direction of one sum of products.
 
-use estimate::drive::{Drive, Event, Pose, Truth};
+use estimate::drive::{Event, Pose, Row, Truth};
 
 /// The most fixes that are compared: of more, as many are taken evenly.
 const MOST_FIXES: usize = 2000;
@@ -76,8 +76,8 @@ pub(crate) struct Fix {
 }
 
 /// The fixes of a log between two times.
-pub(crate) fn fixes(drive: &Drive, [from, to]: [f64; 2]) -> Vec<Fix> {
-    let within = drive.rows.iter().filter(|row| from <= row.time && row.time <= to);
+pub(crate) fn fixes(rows: &[Row], [from, to]: [f64; 2]) -> Vec<Fix> {
+    let within = rows.iter().filter(|row| from <= row.time && row.time <= to);
     let all: Vec<Fix> = within
         .filter_map(|row| match row.event {
             Event::Position { x, y, .. } => Some(Fix { time: row.time, at: [x, y] }),

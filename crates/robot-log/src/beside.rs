@@ -9,6 +9,7 @@ use crate::own::Own;
 use crate::role::{Quantity, Role};
 use crate::row;
 use crate::source::{Question, Source};
+use crate::wgs84::Origin;
 use crate::wide;
 
 /// Looks for the names of landmarks among the columns of the others; a table that has them is one of ranges, but for
@@ -111,11 +112,13 @@ pub(crate) fn origins(files: &[File]) -> Vec<String> {
         return Vec::new();
     }
     let metric = files.iter().filter(|file| of(file) == Some(Places::Metric) && file.role() != Role::Truth);
+    let said = files.iter().find_map(File::origin).map(|origin| origin.to_string());
+    let origin = said.unwrap_or_else(|| "the first latitude and longitude".to_string());
     let said = |file: &File| {
         let name = file.name();
         format!(
-            "{name}: its x and y are taken as metres east and north of the first latitude and longitude; if its origin \
-             or its axes are others, they do not belong together."
+            "{name}: its x and y are taken as metres east and north of {origin}; if its origin or its axes are others, \
+             they do not belong together."
         )
     };
     metric.map(said).collect()
@@ -125,6 +128,14 @@ impl File {
     /// Which frame its places are in, as it was said; `None` where that has not been said.
     pub fn frame(&self) -> Option<Frame> {
         self.source.said_frame()
+    }
+
+    /// Where its origin lies, where that was said.
+    pub(crate) fn origin(&self) -> Option<Origin> {
+        match self.source.said_frame() {
+            Some(Frame::At([latitude, longitude])) => Some(Origin::said(latitude, longitude)),
+            _ => None,
+        }
     }
 
     /// What brings a truth onto the log's fixes, where it has a frame or a clock of its own

@@ -2,6 +2,7 @@
 //! landmarks and truth.
 
 use crate::beside;
+use crate::corrections::Corrections;
 use crate::error::Error;
 use crate::file::File;
 use crate::frames::Frame;
@@ -32,6 +33,7 @@ pub struct Files {
     files: Vec<File>,
     /// Whether the truth has been compared with the fixes since the last change.
     compared: bool,
+    corrections: Corrections,
 }
 
 impl Files {
@@ -112,6 +114,27 @@ impl Files {
         self.files.get_mut(file).is_some_and(|file| file.set_counting(counting))
     }
 
+    /// Says where the origin of a truth lies, of which that is asked ([`File::is_foreign`]): at a latitude and a
+    /// longitude in degrees. Answers whether there is such a file and such a place.
+    pub fn set_origin(&mut self, file: usize, latitude: f64, longitude: f64) -> bool {
+        let there = latitude.abs() <= 90.0 && longitude.abs() <= 360.0;
+        there && self.set_frame(file, Frame::At([latitude, longitude]))
+    }
+
+    /// Reads the log otherwise than the files have it, from now on. Answers whether it can be read so.
+    pub fn correct(&mut self, corrections: Corrections) -> bool {
+        let sound = corrections.is_sound();
+        if sound {
+            self.corrections = corrections;
+        }
+        sound
+    }
+
+    /// What is read otherwise.
+    pub fn corrections(&self) -> &Corrections {
+        &self.corrections
+    }
+
     fn changed(&mut self) {
         self.compared = false;
         beside::frames(&mut self.files);
@@ -169,6 +192,9 @@ impl Files {
         let own = self.files.iter().find(|file| file.frame() == Some(Frame::Own)).and_then(File::own);
         let mut read = reading.finish(own)?;
         read.wheels = beside::wheels(&self.files);
+        let corrected = self.corrections.onto(&mut read.log.drive, &read.landmarks);
+        read.notes.extend(corrected);
+        read.corrections = self.corrections.clone();
         read.notes.extend(beside::note(&self.files));
         read.notes.extend(turning::note(&self.files));
         read.notes.extend(beside::origins(&self.files));
@@ -180,6 +206,7 @@ impl Files {
     /// The rows of all files; `as_written`, a truth is not moved.
     fn gathered(&self, as_written: bool) -> Result<LogReader, Error> {
         let mut reading = LogReader::new(self.barcodes()?, as_written);
+        reading.origin = self.files.iter().find_map(File::origin);
         let gyro = turning::gyro(&self.files);
         for (i, file) in self.files.iter().enumerate() {
             match file.role() {

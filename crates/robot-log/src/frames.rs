@@ -1,16 +1,18 @@
 //! From which point the places of a log's files are counted. Latitudes and longitudes become metres east and north of
 //! the first of them; a table in metres has an origin of its own, and nobody but the reader knows where that lies.
 
-use crate::own::Own;
+use crate::own::{Own, shift};
 use estimate::drive::{Drive, Event, Pose, Row, Truth};
 
 /// Which frame and which clock a truth has that does not lie on the fixes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Frame {
     /// Those of the others.
     Same,
-    /// Elsewhere: the truth is moved so that it lies on the first fix.
+    /// Elsewhere: the truth is moved so that it lies on the fixes.
     Moved,
+    /// At this latitude and longitude, in degrees.
+    At([f64; 2]),
     /// Its own: the truth is turned, shifted and shifted in time so that it lies on all fixes.
     Own,
 }
@@ -26,7 +28,7 @@ pub(crate) fn question(truth_is_global: bool) -> String {
     )
 }
 
-/// True poses that are moved once the first fix is known.
+/// True poses that are moved once the fixes are known.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Moved {
     /// Each, and whether its heading is known.
@@ -34,25 +36,35 @@ pub(crate) struct Moved {
 }
 
 impl Moved {
-    /// Moves them so that they lie on the first of these fixes, and says by how much.
+    /// Moves them so that they lie on these fixes, where they are few on the first, and says by how much.
     pub fn onto(&mut self, rows: &[Row]) -> Option<String> {
-        let (time, at) = first(rows)?;
-        let from = Truth::new(self.poses.iter().map(|(pose, _)| *pose).collect()).position(time)?;
-        let by = [at[0] - from[0], at[1] - from[1]];
+        let truth = Truth::new(self.poses.iter().map(|(pose, _)| *pose).collect());
+        let onto_all = shift(rows, &truth);
+        let by = match onto_all {
+            Some((by, _)) => by,
+            None => {
+                let (time, at) = first(rows)?;
+                let from = truth.position(time)?;
+                [at[0] - from[0], at[1] - from[1]]
+            }
+        };
         for (pose, _) in &mut self.poses {
             (pose.x, pose.y) = (pose.x + by[0], pose.y + by[1]);
         }
-        let metres = by.map(signed);
-        Some(format!(
-            "The truth is moved by {} m along x and {} m along y, so that it lies on the first fix: what that fix \
-             was off is in every error, and so is a turn between the axes of the two.",
-            metres[0], metres[1]
-        ))
+        let ([x, y], turn) = (by.map(signed), "a turn between the axes of the two");
+        let moved = format!("The truth is moved by {x} m along x and {y} m along y, so that it lies on the");
+        Some(match onto_all {
+            Some((_, sigma)) => format!(
+                "{moved} positions: what all of them together are off by is in no error now, and the errors are no \
+                 surer than the standard deviation of that, {sigma:.2} m. In every error is {turn}."
+            ),
+            None => format!("{moved} first position: what that is off by is in every error, and so is {turn}."),
+        })
     }
 }
 
 /// A number with two decimals, and a minus that is one.
-fn signed(number: f64) -> String {
+pub(crate) fn signed(number: f64) -> String {
     format!("{number:.2}").replace('-', "\u{2212}")
 }
 

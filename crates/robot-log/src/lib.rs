@@ -46,6 +46,7 @@ mod cells;
 mod clock;
 mod clocks;
 mod columns;
+mod corrections;
 mod counter;
 mod cut;
 mod ended;
@@ -97,6 +98,7 @@ mod wheels;
 mod wide;
 
 pub use alignment::Rigid;
+pub use corrections::Corrections;
 pub use error::Error;
 pub use file::File;
 pub use files::{Files, MAX_FILES};

@@ -1,5 +1,6 @@
 //! A log that was read, and how large one may be.
 
+use crate::corrections::Corrections;
 use estimate::drive::Drive;
 
 /// The greatest size of a log, bytes.
@@ -30,4 +31,13 @@ pub struct Understood {
     pub landmarks: Vec<String>,
     /// Whether turn rates come from the encoders of two wheels alone: no gyro reads any.
     pub wheels: bool,
+    /// What is read otherwise than the files have it.
+    pub corrections: Corrections,
+}
+
+impl From<Log> for Understood {
+    fn from(log: Log) -> Self {
+        let (notes, landmarks, corrections) = (Vec::new(), Vec::new(), Corrections::default());
+        Self { log, notes, landmarks, wheels: false, corrections }
+    }
 }

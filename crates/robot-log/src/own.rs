@@ -13,7 +13,7 @@
 
 use crate::alignment::{Fix, Path, Rigid, Sums, fixes};
 use crate::lag::{Lag, lag};
-use estimate::drive::{Drive, Pose, Truth};
+use estimate::drive::{Drive, Pose, Row, Truth};
 
 /// A truth's stamps are shifted by no more than this, s, and by no more than this part of it.
 const MOST_DELAY: f64 = 5.0;
@@ -76,7 +76,19 @@ struct Beside<'a> {
     most: f64,
 }
 
-impl Beside<'_> {
+impl<'a> Beside<'a> {
+    /// `None` where the fixes are few.
+    fn new(rows: &[Row], truth: &'a Truth) -> Option<Self> {
+        let path = Path::new(truth)?;
+        let [from, to] = path.span();
+        let known = fixes(rows, [from, to]);
+        let shared = known.last()?.time - known.first()?.time;
+        let most = MOST_DELAY.min(PART * shared);
+        // The truth reaches every fix by whatever it is shifted, so that all are compared on the same ones.
+        let beside = Self { fixes: fixes(rows, [from + most, to - most]), path, most };
+        (beside.fixes.len() >= FEWEST).then_some(beside)
+    }
+
     fn at(&self, delay: f64) -> Option<Tried> {
         Some(Tried { delay, sums: Sums::new(&self.fixes, &self.path, delay)? })
     }
@@ -159,16 +171,7 @@ fn free(left: &[(Fix, [f64; 2])]) -> f64 {
 
 /// The frame and the clock of the truth's own, where the log's fixes and motion tell one.
 pub(crate) fn own(drive: &Drive, framed: bool) -> Option<Own> {
-    let path = Path::new(&drive.truth)?;
-    let [from, to] = path.span();
-    let known = fixes(drive, [from, to]);
-    let shared = known.last()?.time - known.first()?.time;
-    let most = MOST_DELAY.min(PART * shared);
-    // The truth reaches every fix by whatever it is shifted, so that all are compared on the same ones.
-    let mut beside = Beside { fixes: fixes(drive, [from + most, to - most]), path, most };
-    if beside.fixes.len() < FEWEST {
-        return None;
-    }
+    let mut beside = Beside::new(&drive.rows, &drive.truth)?;
     let moved = |mirrored: bool| move |sums: &Sums| if framed { sums.rigid(mirrored) } else { sums.same };
     let hand = |beside: &Beside<'_>| {
         let [plain, mirror] = [beside.nearest(moved(false))?, beside.nearest(moved(true))?];
@@ -196,7 +199,7 @@ pub(crate) fn own(drive: &Drive, framed: bool) -> Option<Own> {
     if !beats(rest(&full.sums), as_is.sums.same, if framed { 4.0 } else { 1.0 }) {
         return None;
     }
-    let by_motion = lag(drive, &beside.path, most);
+    let by_motion = lag(drive, &beside.path, beside.most);
     if mirrored && !by_motion.is_some_and(|lag| lag.opposite) {
         return None;
     }
@@ -204,8 +207,8 @@ pub(crate) fn own(drive: &Drive, framed: bool) -> Option<Own> {
     let unmoved = beside.at(0.0).filter(|it| !beats(rest(&full.sums), rest(&it.sums), 1.0));
     let frame = framed && beats(rest(&full.sums), late.sums.same, 3.0);
     let (at, delay) = match frame {
-        // Late fixes move a truth along its way: it is compared as late as they are.
-        true => (unmoved.unwrap_or(full), if unmoved.is_none() && clock(&full) { full.delay } else { 0.0 }),
+        // Late fixes move a truth along its way: it is compared as late as they are, however little that is.
+        true => (full, if unmoved.is_none() && clock(&full) { full.delay } else { 0.0 }),
         false if clock(&late) && beats(late.sums.same, as_is.sums.same, 1.0) => (late, late.delay),
         false => return None,
     };
@@ -213,6 +216,19 @@ pub(crate) fn own(drive: &Drive, framed: bool) -> Option<Own> {
         return None;
     }
     Some(beside.told(at, frame.then_some(mirrored), delay, free))
+}
+
+/// The shift, m, that brings a truth onto fixes, as late as they are, and its standard deviation; `None` where they are
+/// few.
+pub(crate) fn shift(rows: &[Row], truth: &Truth) -> Option<([f64; 2], f64)> {
+    let mut beside = Beside::new(rows, truth)?;
+    let nearest = |beside: &Beside<'_>| beside.nearest(Sums::shifted);
+    let first = nearest(&beside)?;
+    beside.without_far(first.delay, first.sums.motion(false, false));
+    let found = nearest(&beside)?;
+    let by = found.sums.motion(false, false);
+    let free = free(&beside.left(found.delay, by));
+    (free >= FEWEST_FREE).then(|| (by.shift, libm::sqrt((found.sums.shifted() + ROUNDING * ROUNDING) / free)))
 }
 
 /// Whether the motion finds the same shift in time as the fixes.

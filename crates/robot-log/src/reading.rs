@@ -36,8 +36,8 @@ pub(crate) struct LogReader {
     without_heading: Vec<Pose>,
     /// True poses of another origin.
     moved: Moved,
-    /// The first fix in degrees, about which all others are.
-    origin: Option<Origin>,
+    /// The point in degrees about which all places are: the first, unless one was said.
+    pub origin: Option<Origin>,
     /// What is kept of the file that is being read.
     kept: Counts,
     notes: Vec<String>,
@@ -269,7 +269,7 @@ impl LogReader {
     pub fn finish(mut self, own: Option<&Own>) -> Result<Understood, Error> {
         let mut notes = self.notes;
         if let Some(origin) = self.origin {
-            notes.push(format!("Positions are in metres east and north of the first fix, {origin}."));
+            notes.push(origin.note());
         }
         notes.extend(self.moved.onto(self.to.rows()));
         for (pose, known) in self.moved.poses {
@@ -294,6 +294,6 @@ impl LogReader {
         notes.extend(notes::gaps(&log.drive));
         notes.extend(twice(&log.drive.rows));
         notes.extend(notes::left_out(self.unlisted, left_out, mapped));
-        Ok(Understood { log, notes, landmarks: self.landmarks.names(), wheels: false })
+        Ok(Understood { notes, landmarks: self.landmarks.names(), ..log.into() })
     }
 }

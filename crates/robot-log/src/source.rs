@@ -180,7 +180,7 @@ impl Source {
         line.fields.get(several.column).is_some_and(|field| field.text == only)
     }
 
-    /// Whether its true poses are moved onto the first fix.
+    /// Whether its true poses are moved onto the fixes.
     pub fn is_moved(&self) -> bool {
         self.said_frame() == Some(Frame::Moved)
     }
@@ -194,7 +194,7 @@ impl Source {
     pub fn may_be(&self, frame: Frame) -> bool {
         match frame {
             Frame::Same => self.foreign || self.own.is_some(),
-            Frame::Moved => self.foreign,
+            Frame::Moved | Frame::At(_) => self.foreign,
             Frame::Own => self.own.is_some(),
         }
     }

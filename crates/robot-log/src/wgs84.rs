@@ -7,17 +7,30 @@
 const A: f64 = 6_378_137.0;
 const F: f64 = 1.0 / 298.257_223_563;
 
-/// The first fix, about which the others are.
+/// The point about which places are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Origin {
     latitude: f64,
     longitude: f64,
+    /// Whether it was said; else it is the first fix.
+    said: bool,
 }
 
 impl Origin {
-    /// In degrees.
+    /// The first fix, in degrees.
     pub fn new(latitude: f64, longitude: f64) -> Self {
-        Self { latitude, longitude }
+        Self { latitude, longitude, said: false }
+    }
+
+    /// A point that was said, in degrees.
+    pub fn said(latitude: f64, longitude: f64) -> Self {
+        Self { latitude, longitude, said: true }
+    }
+
+    /// What is said of the places about it.
+    pub fn note(&self) -> String {
+        let first = if self.said { "" } else { "the first fix, " };
+        format!("Positions are in metres east and north of {first}{self}.")
     }
 
     /// Metres east and north of it, of a point in degrees.

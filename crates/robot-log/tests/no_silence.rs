@@ -135,6 +135,7 @@ fn a_truth_in_metres_beside_latitudes_is_asked_for_its_origin_and_can_be_moved()
     assert_eq!(poses, [[0.0, -5.0], [0.0, 0.0], [0.0, 11.0]], "its place at the time of the first fix lies there");
     let said = |what: &str| read.notes.iter().any(|note| note.contains(what));
     assert!(said("The truth is moved by \u{2212}400.00 m along x and \u{2212}800.00 m along y"), "{:?}", read.notes);
+    assert!(said("so that it lies on the first position: what that is off by is in every error"), "{:?}", read.notes);
     assert!(log.set_frame(2, Frame::Same));
     assert_eq!(log.read().expect("sound").log.drive.truth.poses()[1].x, 400.0);
     assert!(log.set_role(2, Role::Unused));

@@ -236,8 +236,41 @@ fn a_clock_of_its_own_is_one_that_the_motion_tells_too() {
     assert!((own.frame.expect("turned").turn + 0.7).abs() < 4.0 * own.sigmas[0], "{own:?}");
 }
 
+/// The origin of the truth is at 50 and 8 degrees. That the fixes are late moves it no more than their noise does.
 #[test]
-fn a_truth_in_metres_beside_latitudes_may_be_moved_onto_the_first_fix_or_turned_onto_all() {
+fn a_truth_in_metres_beside_latitudes_is_moved_onto_all_fixes_or_counted_from_an_origin_that_is_said() {
+    for (seed, late) in [(1, 0.0), (2, 0.4), (3, -0.2), (4, 1.5)] {
+        let mut log = files(Made { global: true, late: [late, 0.0], seed, ..HEALTHY });
+        let first = |log: &Files| {
+            let drive = log.read().expect("sound").log.drive;
+            let fixes = drive.rows.iter().filter_map(|row| match row.event {
+                estimate::drive::Event::Position { x, y, .. } => Some([x, y]),
+                _ => None,
+            });
+            (fixes.take(1).last().expect("a fix"), drive.truth.poses()[0])
+        };
+        assert!(!log.set_origin(2, 91.0, 8.0) && !log.set_origin(1, 50.0, 8.0) && log.set_origin(2, 50.0, 8.0));
+        let (fix, pose) = first(&log);
+        assert!((pose.x - 5.0).abs() < 1e-4 && (pose.y - 4.0).abs() < 1e-4, "it stays where it is: {pose:?}");
+        assert_eq!(log.files()[2].frame(), Some(Frame::At([50.0, 8.0])));
+        let notes = log.read().expect("sound").notes;
+        assert!(
+            notes.iter().any(|it| it.ends_with("east and north of 50.00000\u{b0} N, 8.00000\u{b0} E.")),
+            "{notes:?}"
+        );
+        assert!(log.set_frame(2, Frame::Moved));
+        let (none, moved) = first(&log);
+        assert_eq!(none, [0.0, 0.0], "the first fix is the origin");
+        let off = [moved.x - (5.0 - fix[0]), moved.y - (4.0 - fix[1])];
+        assert!(off.iter().all(|off| off.abs() < 0.1), "{seed}: {off:?}");
+        let notes = log.read().expect("sound").notes;
+        let sigma = "no surer than the standard deviation of that, 0.0";
+        assert!(notes.iter().any(|it| it.starts_with("The truth is moved by") && it.contains(sigma)), "{notes:?}");
+    }
+}
+
+#[test]
+fn a_truth_in_metres_beside_latitudes_may_be_moved_or_turned_onto_the_fixes() {
     let mut log = files(Made { global: true, ..TURNED });
     let asks = log.files()[2].asks();
     assert!(

@@ -1,13 +1,16 @@
 /** A change of how one file of a log is read. */
 
 /**
- * @typedef {{ file: number, role?: string, value?: string, column?: number | null, unit?: string,
+ * @typedef {{ file?: number, role?: string, value?: string, column?: number | null, unit?: string,
  *   wheel?: string, number?: number, counting?: string,
- *   only?: string | null, frame?: string }} Change with `value` the column or the unit is of that value
+ *   only?: string | null, frame?: string, origin?: [number, number],
+ *   corrections?: import('estimate-wasm').LogCorrections }} Change with `value` the column or the unit is of that
+ * value; corrections are of all files together
  */
 
 /** @param {any} files a `LogFiles` @param {Change} change */
-export function applyChange(files, { file, role, value, column, unit, wheel, number, counting, only, frame }) {
+export function applyChange(files, change) {
+  const { file, role, value, column, unit, wheel, number, counting, only, frame, origin, corrections } = change
   if (role !== undefined) files.setRole(file, role)
   if (column !== undefined) files.setColumn(file, value, column)
   if (unit !== undefined) files.setUnit(file, value, unit)
@@ -15,4 +18,6 @@ export function applyChange(files, { file, role, value, column, unit, wheel, num
   if (counting !== undefined) files.setCounting(file, counting)
   if (only !== undefined) files.setOnly(file, only)
   if (frame !== undefined) files.setFrame(file, frame)
+  if (origin !== undefined) files.setOrigin(file, ...origin)
+  if (corrections !== undefined) files.correct(corrections.driven, corrections.landmarks)
 }

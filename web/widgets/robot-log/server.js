@@ -66,7 +66,7 @@ export class Server {
     this.judging = new Searching(tell, soon, clock)
     this.mapping = new Mapping(tell, soon, clock)
     /**
-     * The files of the log that was read last, as long as one of them is a table that can be read otherwise.
+     * The files of the log that was read last.
      * @type {any}
      */
     this.files = null
@@ -172,10 +172,8 @@ export class Server {
       this.lab?.free()
       this.lab = null
       this.log = log
-      if (shown.every((/** @type {any} */ { role }) => role === 'log')) {
-        files.free()
-        this.files = this.texts = null
-      }
+      // A log in the book's own format has no line that could be wrong later on.
+      if (shown.every((/** @type {any} */ { role }) => role === 'log')) this.texts = null
       const contents = log.contents()
       contents.notes.unshift(...this.notes)
       return { kind: 'log', set, contents, parameters: this.module.RobotLog.parameters(), files: shown }

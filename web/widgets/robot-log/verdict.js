@@ -1,6 +1,7 @@
 /** The verdict on a log in words: which fault the readings tell, how large it is, and what mends it. */
 
 import { fixed } from '../../draw/numbers.js'
+import { odometrySentence } from './driven.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { hides, sigmaKind, sigmaSentence } from './sigmas.js'
 import { displaced, exchanged } from './misplaced.js'
@@ -51,7 +52,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
     sound
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
         `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.` +
-        (log?.motion === 'odometry' ? UNSOUGHT : '')
+        (log?.motion === 'odometry' && !suspects.some(({ fault }) => fault === 'odometry') ? UNSOUGHT : '')
       : other
         ? foreign(judgement)
         : sentences(judgement, truth, log),
@@ -64,7 +65,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
   return parts.filter((part) => part !== '').join(' ')
 }
 
-/** Their turns and distances have no scale to learn. */
+/** Headings alone do not tell it. */
 const UNSOUGHT = ' A scale of the distances of O rows is not among them.'
 
 /**
@@ -156,6 +157,12 @@ function loose({ suspects, pace }) {
   return said && `The σ of the distance is set to ${claimed(distance?.sizes[0].now ?? 0)} m/√s. ${said}`
 }
 
+/** A share beyond the ellipse that a sound filter does not have. */
+const MANY = 0.2
+const TRUTH =
+  'The readings are as likely as they should be, so it is the truth that may be off: its origin, its axes, its clock ' +
+  'or its own errors.'
+
 /** @param {LogJudgement} judgement */
 function errors({ suspects: [{ mended }], against, ungated, other }) {
   if (!against) return ''
@@ -164,6 +171,7 @@ function errors({ suspects: [{ mended }], against, ungated, other }) {
   const now =
     `Against the truth${off} the NEES of the position is ${fixed(nees, 1)}, where 2 is expected, and ` +
     `${fixed(100 * outside, 0)} % of the errors lie beyond the ellipse that should hold 95 %.`
+  if (!mended && outside > MANY) return `${now} ${TRUTH}`
   if (!mended || other) return now
   const after = `from ${fixed(rmse, 2)} to ${fixed(mended.rmse, 2)} m`
   return `${now} Mended so, the RMS error${off} goes ${after} and the NEES to ${fixed(mended.nees, 1)}.`
@@ -197,6 +205,7 @@ export function kind({ fault, name, with: other, sensor, sizes }) {
     return `a delay of the ${other ? `${together(name, other, sizes[2])} together` : DELAYED[name ?? ''][0]}`
   if (fault === 'sigma') return sigmaKind(name)
   if (fault === 'mirrored') return 'the sign of the turns'
+  if (fault === 'odometry') return 'a scale of the odometry'
   if (fault === 'exchanged') return 'an exchange of two landmarks'
   if (fault === 'displaced') return 'another place of a landmark'
   return other ? 'scale and offset of the ranges together' : NAMES[name ?? '']
@@ -205,6 +214,7 @@ export function kind({ fault, name, with: other, sensor, sizes }) {
 /** What is wrong, and what to do. @param {Suspect} suspect @param {boolean} truth @param {Log | null} [log] */
 export function sentence(suspect, truth, log = null) {
   const { fault, name, sensor, sizes, landmarks } = suspect
+  if (fault === 'odometry') return odometrySentence(sizes, log)
   if (fault === 'exchanged') return exchanged(landmarks ?? [], log)
   if (fault === 'displaced') return displaced(landmarks ?? [], sizes, log)
   if (fault === 'mirrored')

@@ -18,11 +18,7 @@ impl Arg<'_> {
                 self.shaped(p, value, to)?;
             }
             Shape::Exactly(n, entry) => {
-                let length = self.length()?;
-                if length as usize != *n {
-                    return Err(self.refuse(Code::Shape, format!("has {length} entries; it must have {n}")));
-                }
-                for i in 0..length {
+                for i in 0..self.of_length(*n)? {
                     self.entry(i)?.shaped(p, entry, to)?;
                 }
             }
@@ -55,6 +51,35 @@ impl Arg<'_> {
             }
         }
         Ok(())
+    }
+
+    /// The length of an array of so many entries.
+    fn of_length(&self, n: usize) -> Result<u32, Error> {
+        let length = self.length()?;
+        match length as usize == n {
+            true => Ok(length),
+            false => Err(self.refuse(Code::Shape, format!("has {length} entries; it must have {n}"))),
+        }
+    }
+
+    /// The numbers of an array of so many.
+    #[cfg(feature = "log")]
+    pub fn exactly<const N: usize>(&self) -> Result<[f64; N], Error> {
+        let mut numbers = [0.0; N];
+        for i in 0..self.of_length(N)? {
+            numbers[i as usize] = self.entry(i)?.number()?;
+        }
+        Ok(numbers)
+    }
+
+    /// What each entry of an array of at most so many is read as.
+    #[cfg(feature = "log")]
+    pub fn every<T>(&self, most: usize, read: impl Fn(&Arg<'_>) -> Result<T, Error>) -> Result<Vec<T>, Error> {
+        let length = self.length()?;
+        if length as usize > most {
+            return Err(self.refuse(Code::Limit, format!("has {length} entries; at most {most} are read")));
+        }
+        (0..length).map(|i| read(&self.entry(i)?)).collect()
     }
 
     /// Appends a value for each of the names: those of an object that has some of them, else one for all. What the

@@ -51,6 +51,8 @@ pub(crate) struct Otherwise {
     pub arcs: bool,
     /// Whether the turns have the other sign.
     pub mirrored: bool,
+    /// By what share the distances and the turns of odometry are larger than they are read.
+    pub driven: [f64; 2],
     /// Two landmarks, by their places in the list, that are taken for one another.
     pub exchanged: Option<[usize; 2]>,
     /// A landmark, by its place in the list, that stands beside its place by so much, m.

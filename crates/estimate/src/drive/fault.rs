@@ -11,6 +11,8 @@ pub enum Fault {
     Bias,
     /// A speed or a range reads too much or too little by a share.
     Scale,
+    /// The distances and turns of odometry read too much or too little by a share.
+    Odometry,
     /// Outliers: more readings lie far off than a normal distribution has.
     Tails,
     /// A standard deviation is claimed too small or too large.
@@ -33,6 +35,7 @@ impl Fault {
             Self::Clock => "clock",
             Self::Bias => "bias",
             Self::Scale => "scale",
+            Self::Odometry => "odometry",
             Self::Tails => "tails",
             Self::Sigma => "sigma",
             Self::Turned => "turned",

@@ -142,12 +142,12 @@ impl Replay {
             return None;
         }
         let dt = (step.time - self.time).max(0.0);
+        let Otherwise { arcs, mirrored, driven: [far, much], .. } = *course.otherwise();
         let u = match step.event {
-            Event::Odometry { distance, turn } => Vector2::new(distance, turn),
+            Event::Odometry { distance, turn } => Vector2::new((1.0 + far) * distance, (1.0 + much) * turn),
             _ if course.moves_by() == Motion::Velocity => self.held * dt,
             _ => return None,
         };
-        let Otherwise { arcs, mirrored, .. } = *course.otherwise();
         let u = if mirrored { Vector2::new(u[0], -u[1]) } else { u };
         let s = course.settings();
         let noise = Matrix2::new(s.sigma_distance * s.sigma_distance, 0.0, 0.0, s.sigma_turn * s.sigma_turn) * dt;

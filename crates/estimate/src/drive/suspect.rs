@@ -4,7 +4,7 @@ use crate::drive::course::Course;
 use crate::drive::evidence::{Against, Trial};
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
-use crate::drive::row::{Drive, Event};
+use crate::drive::row::{Drive, Event, Motion};
 use crate::drive::sensor::Sensor;
 use crate::drive::settings::MAX_DELAY;
 use alloc::vec::Vec;
@@ -46,7 +46,8 @@ pub struct Suspect {
     pub sensor: Option<Sensor>,
     /// The two landmarks that are exchanged, by their ids, or the one that stands elsewhere.
     pub landmarks: Vec<u32>,
-    /// The numbers; of the start x, y and θ in m, m and rad; of a landmark x and y in m; of outliers their share.
+    /// The numbers; of the start x, y and θ in m, m and rad; of a landmark x and y in m; of outliers their share; of
+    /// odometry the shares by which distances and, where it turns, turns are larger than they are read.
     pub sizes: Vec<Size>,
     /// The least of the standard deviations that readings bring, their median and the greatest: of a factor on them.
     pub claims: Option<[f64; 3]>,
@@ -72,6 +73,7 @@ impl Suspect {
             (Fault::Mirrored, ..) => Tried::Mirrored,
             (Fault::Exchanged, ..) => Tried::Exchanged,
             (Fault::Displaced, ..) => Tried::Displaced,
+            (Fault::Odometry, ..) => Tried::Odometry(self.sizes.len()),
             (Fault::Clock, ..) if self.with.is_some() => {
                 Tried::Together(READINGS.map(|it| self.sizes.len() > 2 || [self.number, self.with].contains(&Some(it))))
             }
@@ -93,6 +95,8 @@ pub(crate) enum Tried {
     /// The delays of several sensors by the same, as of one receiver: which of [`READINGS`].
     Together([bool; 3]),
     Outliers(Sensor),
+    /// The distances of odometry alone, or with the turns: how many of the two.
+    Odometry(usize),
     Mirrored,
     Exchanged,
     /// One landmark at another place.
@@ -106,6 +110,9 @@ const READINGS: [Fitted; 3] = [Fitted::DelayFix, Fitted::DelayHeading, Fitted::D
 /// The first difference of the start's place and heading: a share of their standard deviations, at most so much.
 const START_SHARE: f64 = 0.1;
 const START_MOST: f64 = 0.1;
+/// That of a share of odometry, and from where to where one is tried.
+const SHARE: f64 = 1e-4;
+const SHARES: [f64; 2] = [-0.9, 9.0];
 /// That of a delay, s, and at least so many periods of the motion.
 const DELAY: f64 = 0.05;
 const PERIODS: f64 = 2.0;
@@ -129,10 +136,13 @@ impl Tried {
         // A σ of 0 has no logarithm.
         let landmarks = drive.landmarks.len() > 1 && s.sightings && (has.range || has.bearing);
         let read = READINGS.map(|number| numbers.contains(&number));
+        let turning = drive.rows.iter().any(|row| turns(&row.event));
+        let placed = has.fix && s.fixes || s.sightings && (has.range || has.bearing);
         let others = [
+            (Self::Odometry(1 + usize::from(turning)), placed && drive.motion == Motion::Odometry),
             (Self::Together(read), read.iter().filter(|it| **it).count() > 1),
             (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
-            (Self::Mirrored, drive.rows.iter().any(|row| turns(&row.event))),
+            (Self::Mirrored, turning),
             (Self::Exchanged, landmarks),
             (Self::Displaced, landmarks),
         ];
@@ -149,6 +159,7 @@ impl Tried {
             Self::Number(Fitted::TurnBias | Fitted::Offset) => Fault::Bias,
             Self::Number(Fitted::Scale | Fitted::SpeedScale) | Self::Ruler => Fault::Scale,
             Self::Number(Fitted::BearingOffset | Fitted::HeadingOffset) => Fault::Turned,
+            Self::Odometry(_) => Fault::Odometry,
             Self::Mirrored => Fault::Mirrored,
             Self::Exchanged => Fault::Exchanged,
             Self::Displaced => Fault::Displaced,
@@ -160,7 +171,8 @@ impl Tried {
 
     /// Whether it is a factor, on what readings claim or on what they read, which may be far from one.
     pub fn is_far(self) -> bool {
-        self.fault() == Fault::Scale || self.numbers().iter().any(|number| number.claimed_by().is_some())
+        matches!(self.fault(), Fault::Scale | Fault::Odometry)
+            || self.numbers().iter().any(|number| number.claimed_by().is_some())
     }
 
     /// How many numbers are freed.
@@ -168,6 +180,7 @@ impl Tried {
         match self {
             Self::Start => 3,
             Self::Ruler | Self::Displaced => 2,
+            Self::Odometry(count) => count,
             Self::Number(_) | Self::Outliers(_) | Self::Together(_) => 1,
             Self::Mirrored | Self::Exchanged => 0,
         }
@@ -187,6 +200,7 @@ impl Tried {
     pub fn first(self, place: &Trial) -> Vec<f64> {
         match self {
             Self::Start => return alloc::vec![0.0; 3],
+            Self::Odometry(count) => return alloc::vec![0.0; count],
             // By how much all of them are later than they are set.
             Self::Together(_) => return alloc::vec![0.0],
             _ => {}
@@ -203,6 +217,7 @@ impl Tried {
                 *place.settings.gate.of_mut(sensor) = Some(crate::drive::evidence::OUTLIER_GATE);
             }
             (Self::Mirrored, _) => place.otherwise.mirrored = true,
+            (Self::Odometry(_), at) => place.otherwise.driven.iter_mut().zip(at).for_each(|(is, at)| *is = *at),
             (Self::Together(_), &[by]) => self.numbers().iter().for_each(|number| {
                 let now = number.get(&place.settings);
                 number.set(&mut place.settings, now + by);
@@ -219,6 +234,9 @@ impl Tried {
         if self == Self::Start {
             return [s.start_sigma, s.start_sigma, s.start_sigma_heading].map(begins).to_vec();
         }
+        if let Self::Odometry(count) = self {
+            return alloc::vec![SHARE; count];
+        }
         let step = |number: &Fitted| if number.is_delay() { DELAY.max(PERIODS * period) } else { number.fine() };
         self.numbers().iter().take(self.freedom()).map(step).collect()
     }
@@ -226,7 +244,11 @@ impl Tried {
     /// Where the first is sought beside where it is: a scale at factors half as large again each, an eighth to eight.
     pub fn others(self) -> Vec<f64> {
         let factors = [0.12, 0.2, 0.3, 0.45, 0.65, 1.5, 2.2, 3.3, 5.0, 8.0];
-        if self.fault() == Fault::Scale { factors.map(|factor| factor - 1.0).to_vec() } else { Vec::new() }
+        if matches!(self.fault(), Fault::Scale | Fault::Odometry) {
+            factors.map(|factor| factor - 1.0).to_vec()
+        } else {
+            Vec::new()
+        }
     }
 
     /// How far they are tried, with delays changed by at most so much.
@@ -234,8 +256,10 @@ impl Tried {
         if self == Self::Start {
             return alloc::vec![[f64::MIN, f64::MAX]; 3];
         }
-        if let Self::Together(_) = self {
-            return alloc::vec![[-most, most]];
+        match self {
+            Self::Together(_) => return alloc::vec![[-most, most]],
+            Self::Odometry(count) => return alloc::vec![SHARES; count],
+            _ => {}
         }
         let bound = |(number, at): (&Fitted, &f64)| match number.is_delay() {
             true => [(at - most).max(-MAX_DELAY), (at + most).min(MAX_DELAY)],

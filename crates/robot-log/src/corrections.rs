@@ -1,0 +1,57 @@
+//! What is read otherwise than the files have it, as a verdict on the log proposes it: distances and turns of odometry
+//! by factors, and landmarks at other places.
+
+use crate::frames::signed;
+use estimate::drive::{Drive, Event};
+use std::collections::BTreeMap;
+
+/// What is read otherwise than the files have it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Corrections {
+    /// How many times the distances and the turns of odometry are taken as they are read.
+    pub driven: [f64; 2],
+    /// Where landmarks stand instead, by their numbers; m.
+    pub landmarks: BTreeMap<u32, [f64; 2]>,
+}
+
+impl Default for Corrections {
+    fn default() -> Self {
+        Self { driven: [1.0; 2], landmarks: BTreeMap::new() }
+    }
+}
+
+impl Corrections {
+    /// Whether a log can be read so: factors are above 0, and all is finite.
+    pub(crate) fn is_sound(&self) -> bool {
+        let factor = |by: &f64| by.is_finite() && *by > 0.0;
+        self.driven.iter().all(factor) && self.landmarks.values().flatten().all(|at| at.is_finite())
+    }
+
+    /// Reads a log so, and says what was done; what it says of landmarks that the log has not, or of odometry where
+    /// there is none, does nothing.
+    pub(crate) fn onto(&self, drive: &mut Drive, names: &[String]) -> Vec<String> {
+        let mut said = Vec::new();
+        let ([far, much], mut driven) = (self.driven, false);
+        for row in &mut drive.rows {
+            if let Event::Odometry { distance, turn } = &mut row.event {
+                (*distance, *turn) = (far * *distance, much * *turn);
+                driven = true;
+            }
+        }
+        if driven && self.driven != [1.0; 2] {
+            said.push(format!(
+                "Distances of odometry are taken {far:.4} times as they are read, and turns {much:.4} times."
+            ));
+        }
+        for landmark in &mut drive.landmarks {
+            let Some([x, y]) = self.landmarks.get(&landmark.id) else { continue };
+            let name = names.get((landmark.id as usize).wrapping_sub(1)).cloned();
+            let places = [landmark.x, landmark.y, *x, *y].map(signed);
+            let [from_x, from_y, to_x, to_y] = places;
+            let name = name.unwrap_or_else(|| landmark.id.to_string());
+            said.push(format!("Landmark {name} is taken at ({to_x}, {to_y}) m, and not at ({from_x}, {from_y}) m."));
+            (landmark.x, landmark.y) = (*x, *y);
+        }
+        said
+    }
+}

@@ -1,0 +1,61 @@
+//! Verdicts on logs whose odometry reads distances or turns too long or too short by a share, as wheels of another size
+//! or another base do. Natively only.
+
+use chapter_tests::planted::{Log, WORLDS, judged};
+use estimate::drive::{Event, Fault, Standing};
+
+/// A sound log of the world that moves by odometry, which then reads so many times the distances and the turns.
+fn reads(n: u64, [far, much]: [f64; 2]) -> Log {
+    let world = WORLDS.iter().find(|world| world.odometry).expect("a world of odometry");
+    let mut log = world.sound(9000 + n, n.is_multiple_of(2));
+    for row in &mut log.drive.rows {
+        if let Event::Odometry { distance, turn } = &mut row.event {
+            (*distance, *turn) = (far * *distance, much * *turn);
+        }
+    }
+    log
+}
+
+#[test]
+fn odometry_that_reads_too_much_or_too_little_is_named_with_its_shares() {
+    // Wheels of another radius, another base, and both.
+    for (n, read) in [[1.05, 1.05], [1.0, 0.8], [0.94, 1.15], [1.06, 1.0]].into_iter().enumerate() {
+        let log = reads(n as u64, read);
+        let judgement = judged(&log).expect("a verdict");
+        let first = &judgement.suspects[0];
+        assert_eq!((first.fault, first.standing), (Fault::Odometry, Standing::Sure), "{n}: {first:?}");
+        for (size, read) in first.sizes.iter().zip(read) {
+            let (share, sigma) = (1.0 / read - 1.0, size.sigma);
+            assert!((size.value - share).abs() < 4.0 * sigma && sigma < 0.03, "{n}: {size:?} {share}");
+        }
+        // Mended so, nothing of the kind is left.
+        let again =
+            judged(&reads(n as u64, [0, 1].map(|i| read[i] * (1.0 + first.sizes[i].value)))).expect("a verdict");
+        let left = again.suspects.iter().find(|it| it.fault == Fault::Odometry).expect("it was looked for");
+        assert_eq!(left.standing, Standing::Cleared, "{n}: {left:?}");
+    }
+}
+
+/// Twice as far, in feet for metres, and of another radius far from one: beyond the first step up.
+#[test]
+fn odometry_in_another_unit_is_found_from_far_away() {
+    for (n, read) in [(0, [3.28, 1.0]), (1, [0.5, 1.0])] {
+        let judgement = judged(&reads(n, read)).expect("a verdict");
+        let first = &judgement.suspects[0];
+        assert_eq!(first.fault, Fault::Odometry, "{n}: {first:?}");
+        assert!((first.sizes[0].value - (1.0 / read[0] - 1.0)).abs() < 0.05, "{n}: {first:?}");
+    }
+}
+
+#[test]
+fn a_robot_that_drives_straight_on_has_a_share_of_distances_alone() {
+    let mut log = reads(0, [1.0, 1.0]);
+    for row in &mut log.drive.rows {
+        if let Event::Odometry { turn, .. } = &mut row.event {
+            *turn = 0.0;
+        }
+    }
+    let judgement = judged(&log).expect("a verdict");
+    let odometry = judgement.suspects.iter().find(|it| it.fault == Fault::Odometry).expect("it was looked for");
+    assert_eq!(odometry.sizes.len(), 1);
+}
