@@ -143,6 +143,20 @@ test('where the origin of a truth in metres lies is typed, written and read agai
   )
 })
 
+test('where the origin of landmarks in metres lies may be typed beside latitudes, and is not asked', () => {
+  const files = new LogFiles()
+  files.add('wheels.csv', 'time,v,omega\n0,1,0\n1,1,0\n')
+  files.add('gps.csv', 'time,latitude,longitude\n0,50,8\n1,50.0001,8\n')
+  files.add('anchors.csv', 'anchor,x,y\n1,3,4\n')
+  const { frame, asks } = last(files)
+  assert.deepEqual([frame.beside, frame.foreign, frame.said, asks], [true, false, null, []])
+  files.setOrigin(2, 49.9999, 8)
+  const saved = readSettings(settingsText({}, files.files()), known).files
+  assert.deepEqual(saved[2].origin, [49.9999, 8])
+  files.setFrame(2, 'same')
+  assert.deepEqual(nextChange(saved, files.files()), { file: 2, origin: [49.9999, 8] })
+})
+
 test('of what stands in a field the beginning is shown, and of a date all that differs from row to row', () => {
   assert.deepEqual(['', '0.1234567890123456', '2026-05-01T12:00:05.125+02:00'].map(short), [
     '(empty)',

@@ -199,22 +199,26 @@ export class FileForm {
 
   /** A truth’s frame and clock. @param {Element} into @param {number} i @param {NonNullable<LogFile['frame']>} frame */
   frame(into, i, frame) {
-    const { said, foreign } = frame
+    const { said, foreign, beside } = frame
+    if (beside) return this.origin(into, i, frame)
     const cell = part(document, into, 'div', `log-value log-role${said === null ? ' asked' : ''}`)
     const options = framesOf(frame)
     if (said === null) options.unshift(['', 'choose one'])
     const label = foreign ? 'its frame' : 'its frame and clock'
     this.choice(cell, `${i} frame`, label, options, said ?? '', (one) => ({ file: i, frame: one }))
-    if (foreign) this.origin(into, i, frame.origin)
+    if (foreign) this.origin(into, i, frame)
   }
 
   /**
-   * Where the origin of a truth lies.
-   * @param {Element} into @param {number} i @param {[number, number] | null} origin
+   * Where the origin of places in metres lies.
+   * @param {Element} into @param {number} i @param {NonNullable<LogFile['frame']>} frame
    */
-  origin(into, i, origin) {
-    const words = 'or its origin’s latitude and longitude, °'
-    this.entry(into, `${i} origin`, words, (origin ?? []).join(', '), (text) => {
+  origin(into, i, { origin, beside }) {
+    const where = 'its origin’s latitude and longitude, °'
+    const words = beside ? `${where} (empty: the first fix)` : `or ${where}`
+    const cell = part(document, into, 'div', 'log-value log-role')
+    this.entry(cell, `${i} origin`, words, (origin ?? []).join(', '), (text) => {
+      if (beside && text.trim() === '') return { file: i, frame: 'same' }
       const found = text.match(/-?\d+(?:\.\d+)?/g)?.map(Number) ?? []
       const [latitude, longitude] = found
       const sound = found.length === 2 && Math.abs(latitude) <= 90 && Math.abs(longitude) <= 360

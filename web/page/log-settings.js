@@ -256,7 +256,7 @@ function changeOf(saved, { role: now, header, values: current, wheels: turning, 
   }
   // Of another recording the truth may lie on the positions, or be in latitude and longitude: then nothing is said.
   const offered = { same: true, moved: origin?.foreign, own: Boolean(origin?.own) }
-  if (at && origin?.foreign && String(origin.origin) !== String(at)) return { origin: at }
+  if (at && (origin?.foreign || origin?.beside) && String(origin.origin) !== String(at)) return { origin: at }
   if (frame !== undefined && origin && origin.said !== frame && offered[/** @type {'same'} */ (frame)]) return { frame }
   if (!wheels) return null
   for (const wheel of /** @type {const} */ (['ticks', 'radius', 'base'])) {

@@ -66,6 +66,8 @@ export interface LogOrigin {
     /** Whether its places are counted from another point than the fixes', as their units say: it may be "moved", or
         "at" a point. */
     foreign: boolean;
+    /** Whether its places are in metres beside latitudes and longitudes, and no truth's: they may be "at" a point. */
+    beside: boolean;
     /** What the fixes and the motion tell: it may be "own"; else null. */
     own: LogOwn | null;
 }
@@ -125,7 +127,7 @@ fn several(file: &File) -> JsValue {
 
 /// Which frame and clock a truth has.
 fn origin(file: &File) -> JsValue {
-    if !file.is_foreign() && file.own().is_none() {
+    if !file.is_foreign() && !file.is_beside() && file.own().is_none() {
         return JsValue::NULL;
     }
     let origin = if let Some(Frame::At(origin)) = file.frame() { Some(origin) } else { None };
@@ -134,6 +136,7 @@ fn origin(file: &File) -> JsValue {
         ("said", said.or(origin.map(|_| "at")).map_or(JsValue::NULL, Into::into)),
         ("origin", origin.map_or(JsValue::NULL, |origin| list(&origin))),
         ("foreign", file.is_foreign().into()),
+        ("beside", file.is_beside().into()),
         ("own", file.own().map_or(JsValue::NULL, own)),
     ])
 }

@@ -118,7 +118,7 @@ impl LogFiles {
         self.change(file, "file", |files, file| files.set_frame(file, frame))
     }
 
-    /// Says at which latitude and longitude, in degrees, the origin of a truth lies, of which that is asked.
+    /// Says at which latitude and longitude, in degrees, the origin of places in metres lies beside others in degrees.
     #[wasm_bindgen(js_name = setOrigin)]
     pub fn set_origin(
         &self,

@@ -81,11 +81,15 @@ fn fixes(files: &[File]) -> [bool; 2] {
     [has(Places::Metric), has(Places::Global)]
 }
 
-/// Finds the truths whose places are counted from another point than those of the fixes.
+/// Finds the truths whose places are counted from another point than those of the fixes, and what else is in metres
+/// beside latitudes and longitudes.
 pub(crate) fn frames(files: &mut [File]) {
     let [metric, global] = fixes(files);
+    let any = files.iter().any(|file| Places::of(&file.source) == Some(Places::Global));
     for file in files.iter_mut() {
-        let places = Places::of(&file.source).filter(|_| file.role() == Role::Truth);
+        let (places, truth) = (Places::of(&file.source), file.role() == Role::Truth);
+        file.source.beside = any && !truth && places == Some(Places::Metric);
+        let places = places.filter(|_| truth);
         file.source.foreign = match places {
             Some(Places::Metric) => global,
             Some(Places::Global) => metric && !global,
@@ -107,11 +111,7 @@ pub(crate) fn compared(files: &[File]) -> Option<(usize, bool)> {
 
 /// What is said of landmarks and fixes in metres beside latitudes and longitudes.
 pub(crate) fn origins(files: &[File]) -> Vec<String> {
-    let of = |file: &&File| Places::of(&file.source);
-    if !files.iter().any(|file| of(&file) == Some(Places::Global)) {
-        return Vec::new();
-    }
-    let metric = files.iter().filter(|file| of(file) == Some(Places::Metric) && file.role() != Role::Truth);
+    let metric = files.iter().filter(|file| file.source.beside);
     let said = files.iter().find_map(File::origin).map(|origin| origin.to_string());
     let origin = said.unwrap_or_else(|| "the first latitude and longitude".to_string());
     let said = |file: &File| {
@@ -147,6 +147,11 @@ impl File {
     /// Whether its places are counted from another point than those of the log's fixes: then that is asked.
     pub fn is_foreign(&self) -> bool {
         self.source.foreign
+    }
+
+    /// Whether its places are in metres beside latitudes and longitudes of others: their origin may be said.
+    pub fn is_beside(&self) -> bool {
+        self.source.beside
     }
 
     pub(crate) fn set_frame(&mut self, frame: Frame) -> bool {

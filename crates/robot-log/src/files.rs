@@ -114,11 +114,16 @@ impl Files {
         self.files.get_mut(file).is_some_and(|file| file.set_counting(counting))
     }
 
-    /// Says where the origin of a truth lies, of which that is asked ([`File::is_foreign`]): at a latitude and a
-    /// longitude in degrees. Answers whether there is such a file and such a place.
+    /// Says where the origin of places in metres lies beside latitudes and longitudes ([`File::is_foreign`],
+    /// [`File::is_beside`]): at a latitude and a longitude in degrees. A log has one such origin: where another file
+    /// has one, it moves too. Answers whether there is such a file and such a place.
     pub fn set_origin(&mut self, file: usize, latitude: f64, longitude: f64) -> bool {
-        let there = latitude.abs() <= 90.0 && longitude.abs() <= 360.0;
-        there && self.set_frame(file, Frame::At([latitude, longitude]))
+        let (there, at) = (latitude.abs() <= 90.0 && longitude.abs() <= 360.0, Frame::At([latitude, longitude]));
+        let said = there && self.set_frame(file, at);
+        if said {
+            self.files.iter_mut().filter(|file| file.origin().is_some()).for_each(|file| _ = file.set_frame(at));
+        }
+        said
     }
 
     /// Reads the log otherwise than the files have it, from now on. Answers whether it can be read so.

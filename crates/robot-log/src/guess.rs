@@ -77,6 +77,7 @@ fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
         several: None,
         only: None,
         foreign: false,
+        beside: false,
         own: None,
         frame: None,
         undecided: None,

@@ -41,6 +41,8 @@ pub(crate) struct Source {
     pub only: Option<Option<String>>,
     /// Whether its places are counted from another point than those of the log's fixes, and what is said of that.
     pub foreign: bool,
+    /// Whether its places are in metres beside latitudes and longitudes, and nothing is asked of their origin.
+    pub beside: bool,
     /// What brings a truth onto the log's fixes, where it does not lie on them.
     pub own: Option<Own>,
     pub frame: Option<Frame>,
@@ -193,8 +195,9 @@ impl Source {
     /// Whether that may be said of the file.
     pub fn may_be(&self, frame: Frame) -> bool {
         match frame {
-            Frame::Same => self.foreign || self.own.is_some(),
-            Frame::Moved | Frame::At(_) => self.foreign,
+            Frame::Same => self.foreign || self.beside || self.own.is_some(),
+            Frame::At(_) => self.foreign || self.beside,
+            Frame::Moved => self.foreign,
             Frame::Own => self.own.is_some(),
         }
     }

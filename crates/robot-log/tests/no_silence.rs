@@ -159,6 +159,19 @@ fn landmarks_and_fixes_in_metres_beside_latitudes_are_said_to_need_their_origin(
     assert!(notes.iter().any(|note| note.contains("landmarks.csv: its x and y are taken as metres east")), "{notes:?}");
     let notes = files(&[log[0], log[2]]).read().expect("sound").notes;
     assert!(!notes.iter().any(|note| note.contains("east and north")), "{notes:?}");
+    // Their origin may be said: then the fixes are counted from it.
+    let mut log = files(&log);
+    assert!(log.files()[2].is_beside() && log.files()[2].asks().is_empty() && !log.files()[1].is_beside());
+    assert!(!log.set_frame(2, Frame::Moved) && log.set_origin(2, 49.9999, 8.0));
+    let read = log.read().expect("sound");
+    let north = read.log.drive.rows.iter().find_map(|row| match row.event {
+        Event::Position { y, .. } => Some(y),
+        _ => None,
+    });
+    assert!(north.is_some_and(|north| (north - 11.12).abs() < 0.01), "{north:?}");
+    assert!(read.notes.iter().any(|note| note.contains("north of 49.99990\u{b0} N, 8.00000\u{b0} E; if its")));
+    assert!(log.set_frame(2, Frame::Same) && log.files()[2].frame() == Some(Frame::Same));
+    assert!(log.read().expect("sound").notes.iter().any(|note| note.contains("of the first fix, 50.0")));
 }
 
 #[test]
