@@ -86,7 +86,13 @@ test('a clock of its own and both are said as such', () => {
   const both = last(opened(truth(0.7, [12, -7], 1.5)))
   assert.match(both.asks[0], /are its frame and its clock others\?/)
   assert.equal(framesOf(both.frame)[1][1], 'its own frame and clock')
-  const mirrored = { said: null, origin: null, foreign: false, own: { ...both.frame.own, mirrored: true, delay: 0 } }
+  const mirrored = {
+    said: null,
+    origin: null,
+    foreign: false,
+    beside: false,
+    own: { ...both.frame.own, mirrored: true, delay: 0 },
+  }
   assert.equal(framesOf(mirrored)[1][1], 'its own frame: mirrored, turned and moved')
 })
 
