@@ -88,15 +88,16 @@ export const logClasses = (lab) => ({
   LogFiles: {
     make: () => [],
     spoilt: 0.3,
-    chain: 40,
+    chain: 80,
     least: {
-      'read()': 2,
+      'read()': 1,
       'setRole()': 10,
       'setUnit()': 10,
       'setWheel()': 5,
       'setCounting()': 5,
       'setOnly()': 5,
       'setFrame()': 1,
+      'setOrigin()': 1,
       'correct()': 5,
     },
     methods: {
@@ -126,7 +127,7 @@ export const logClasses = (lab) => ({
       ],
       read: () => [],
     },
-    often: ['add', 'setColumn'],
+    often: ['add', 'add', 'setColumn', 'setFrame', 'setFrame', 'setOrigin'],
     look: (it) => it.files(),
     covariances: () => [],
   },
