@@ -3,7 +3,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { bentBy, delaysAreOfModel, isOfModel, sentence as fitted } from '../../web/page/log-fit.js'
+import { bentBy, delaysAreOfModel, isAsSet, isOfModel, sentence as fitted } from '../../web/page/log-fit.js'
 import { sentence, settingBefore } from '../../web/page/log-likelihood.js'
 import { LIMIT, closer, tells, within } from '../../web/page/log-limit.js'
 import { unreadWords } from '../../web/page/log-file-words.js'
@@ -272,4 +272,23 @@ test('columns that are not read are named in one short sentence', () => {
   assert.match(words, /^Not read: covariance\.0, covariance\.1, .* and 39\d more\.$/)
   assert.ok(words.length < 130, words)
   assert.ok(unreadWords(['x'.repeat(5000)]).length < 40, 'a long name is cut')
+})
+
+test('what a fit tells by less than twice its ± from what is set stays, and a σ is always taken', () => {
+  const number = (more) => ({ name: 'delayFix', value: -0.06, relative: false, sigma: 0.035, flat: null, ...more })
+  const late = { delayFix: 0 }
+  assert.equal(isAsSet(number({}), late), true)
+  assert.equal(isAsSet(number({ value: 0.64 }), late), false)
+  assert.equal(isAsSet(number({}), { delayFix: 0.64 }), false)
+  assert.equal(isAsSet(number({ sigma: null }), late), false, 'it is not told at all')
+  assert.equal(isAsSet(number({ name: 'sigmaFix', value: 1, relative: true }), { sigmaFix: 1 }), false)
+})
+
+test('a delay that its ± tells less well than the rows of motion has its ±', () => {
+  /** @type {import('estimate-wasm').LogFound['numbers'][number]} */
+  const number = { name: 'delayFix', value: 0.65, relative: false, sigma: 0.04, flat: [0.64, 0.66] }
+  const motion = { pace: 1, period: 0 }
+  assert.match(fitted(number, motion), /^delay of the positions, s: 0\.650 ± 0\.040$/)
+  assert.match(fitted({ ...number, sigma: 0.005 }, motion), /0\.64 to 0\.66, all alike/)
+  assert.match(fitted({ ...number, sigma: null }, motion), /0\.64 to 0\.66, all alike/)
 })

@@ -46,6 +46,8 @@ test('beside odometry a delay is told from one row of motion to the next', () =>
   const told = (flat, now = 0) => sentence(suspect({ flat, sizes: [{ now, value: 0.33, sigma: 0.025 }] }), false)
   assert.match(told([0.3, 0.4]), /^The positions come 0\.30 to 0\.40 s late, and the rows of motion tell no more: set/)
   assert.match(told([0.3, 0.4], 0.6), /come 0\.20 to 0\.30 s earlier than set, and/)
+  // Between rows so near to one another the noise of the readings tells less.
+  assert.match(told([0.32, 0.34]), /^The positions come 0\.330 ± 0\.025 s late: set/)
 })
 
 test('where no motion was read, that is said before any fault', () => {

@@ -2,7 +2,7 @@
 
 import { button, part } from '../draw/dom.js'
 import { save } from '../figure/save.js'
-import { sameCorrections } from './log-corrections.js'
+import { areWritten, isCorrected, sameCorrections } from './log-corrections.js'
 import { robotLocalization } from './log-export.js'
 import { filterpy } from './log-filterpy.js'
 import {
@@ -153,10 +153,12 @@ class Opened {
         const then = 'The filter has its settings once the files make a log.'
         return [`${file.name}: the files are read as it says. ${then}`, false]
       }
-      if (!sameCorrections(run.contents.corrections, corrections)) await page.reread({ corrections })
+      const written = isCorrected({ corrections }) && areWritten(corrections, page.files())
+      if (!written && !sameCorrections(run.contents.corrections, corrections)) await page.reread({ corrections })
       page.change(params)
       const usual = missing.length > 0 ? ` It says nothing of ${missing.join(', ')}: they have their usual values.` : ''
-      return [`The filter has the settings of ${file.name}.${usual}`, true]
+      const rows = written ? ' The rows are read as they stand: the page has corrected them before it wrote them.' : ''
+      return [`The filter has the settings of ${file.name}.${usual}${rows}`, true]
     } catch (error) {
       const stays = read > 0 ? ' What was read otherwise before that stays so.' : ''
       const waits = error instanceof NotOpen

@@ -2,6 +2,7 @@
 
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
+import { isStair } from '../widgets/robot-log/sized.js'
 import { hides } from '../widgets/robot-log/sigmas.js'
 import { kind, named } from '../widgets/robot-log/verdict.js'
 import { percent } from '../widgets/robot-log/words.js'
@@ -62,7 +63,9 @@ export class FitForm {
   }
 
   /** Says what is to be mended before. @param {import('../widgets/robot-log/words.js').Frame} frame */
-  show({ judgement }) {
+  show({ judgement, params }) {
+    /** What is set. @type {any} */
+    this.params = params
     if (this.first) this.first.textContent = mendBefore(judgement ?? null)
   }
 
@@ -111,10 +114,12 @@ export class FitForm {
     const list = part(document, result, 'ul', '')
     const own = delaysAreOfModel(numbers, period)
     const motion = { pace, period: own ? period : 0 }
-    for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number, motion)
+    const stays = (/** @type {LogFound['numbers'][number]} */ number) => isAsSet(number, this.params ?? {})
+    for (const number of numbers)
+      part(document, list, 'li', '').textContent = `${sentence(number, motion)}${stays(number) ? AS_SET : ''}`
     const patch = Object.fromEntries(
       numbers
-        .filter((number) => number.sigma !== null && !isOfModel(number, motion.period))
+        .filter((number) => number.sigma !== null && !isOfModel(number, motion.period) && !stays(number))
         .map(({ name, value }) => [name, Number(value.toPrecision(6))]),
     )
     const actions = part(document, result, 'div', 'log-actions')
@@ -159,6 +164,14 @@ export function isOfModel({ name, value, flat }, period) {
 }
 
 /**
+ * Whether a number that is no σ is told from what is set by less than twice its ±: it stays as it is set.
+ * @param {LogFound['numbers'][number]} number @param {Record<string, any>} params
+ */
+export const isAsSet = ({ name, value, relative, sigma }, params) =>
+  !relative && sigma !== null && Math.abs(value - (params[name] ?? 0)) < 2 * sigma
+const AS_SET = ': what is set lies within twice that, and stays'
+
+/**
  * Whether all delays may be the motion model’s own. Only what sensors are late against one another is told: where
  * one is longer, all are taken, as they were found together.
  * @param {LogFound['numbers']} numbers @param {number} period
@@ -176,7 +189,7 @@ export function delaysAreOfModel(numbers, period) {
 export function sentence(number, { pace, period }) {
   const { name, value, relative, sigma, flat } = number
   const words = NAMES[name] ?? name
-  if (flat)
+  if (flat && isStair(flat, sigma))
     return `${words}: ${fixed(flat[0], 2)} to ${fixed(flat[1], 2)}, all alike: the log has no row of motion in between`
   if (sigma === null) return `${words}: the log does not tell it.`
   const unit = words.endsWith('°') ? 180 / Math.PI : 1

@@ -260,6 +260,8 @@ class OwnLog {
     for (const note of notes) part(document, this.answer.box, 'p', '').textContent = note
     this.answer.lead()
     if (told) this.answer.offer(told, () => this.forms.change(told.patch))
+    // The figure may be far from the window, and takes no turns by itself there: the report below must not stay behind.
+    this.forms.follow()
     if (isCorrected(contents)) this.answer.correct(() => this.reread({ corrections: NONE }))
   }
 

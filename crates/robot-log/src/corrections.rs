@@ -44,7 +44,8 @@ impl Corrections {
             ));
         }
         for landmark in &mut drive.landmarks {
-            let Some([x, y]) = self.landmarks.get(&landmark.id) else { continue };
+            let elsewhere = self.landmarks.get(&landmark.id).filter(|place| **place != [landmark.x, landmark.y]);
+            let Some([x, y]) = elsewhere else { continue };
             let name = names.get((landmark.id as usize).wrapping_sub(1)).cloned();
             let places = [landmark.x, landmark.y, *x, *y].map(signed);
             let [from_x, from_y, to_x, to_y] = places;

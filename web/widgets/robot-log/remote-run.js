@@ -256,7 +256,7 @@ export class RemoteRun extends Asking {
       this.goal = this.frame.step
       return { moved: 'nothing', refused: answer.message, ended: false }
     }
-    this.frame = Object.assign(answer.frame, { looks: this.looks, log: this.contents })
+    this.frame = Object.assign(answer.frame, { looks: this.looks, log: this.contents, known: this.known })
     this.looked = false
     this.digest = answer.digest
     const ended = this.playing && this.frame.step === this.last

@@ -26,6 +26,13 @@ export function plusMinus(size, times = 1, beyond = 'more than') {
   return size.sigma === null ? `about ${value}` : `${value} ± ${fixed(size.sigma * times, decimals(size, times))}`
 }
 
+/**
+ * Whether a delay is told from one row of motion to the next and no finer; where the readings tell it less well than
+ * that, its ± says how well.
+ * @param {[number, number] | null | undefined} flat @param {number | null} sigma
+ */
+export const isStair = (flat, sigma) => Boolean(flat) && !(sigma !== null && flat && sigma > (flat[1] - flat[0]) / 2)
+
 /** A σ as it is set. @param {number} value */
 export const claimed = (value) => String(Number(value.toPrecision(3)))
 

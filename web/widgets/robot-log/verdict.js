@@ -5,7 +5,7 @@ import { odometrySentence } from './driven.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { hides, sigmaKind, sigmaSentence } from './sigmas.js'
 import { displaced, exchanged } from './misplaced.js'
-import { brief, claimed, digits, plusMinus } from './sized.js'
+import { brief, claimed, digits, isStair, plusMinus } from './sized.js'
 import { startSentence } from './start.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
@@ -173,8 +173,10 @@ function errors({ suspects: [{ mended }], against, ungated, other }) {
     `${fixed(100 * outside, 0)} % of the errors lie beyond the ellipse that should hold 95 %.`
   if (!mended && outside > MANY) return `${now} ${TRUTH}`
   if (!mended || other) return now
-  const after = `from ${fixed(rmse, 2)} to ${fixed(mended.rmse, 2)} m`
-  return `${now} Mended so, the RMS error${off} goes ${after} and the NEES to ${fixed(mended.nees, 1)}.`
+  const [before, after] = [rmse, mended.rmse].map((one) => fixed(one, 2))
+  const goes =
+    before === after ? `stays ${after} m and the NEES goes` : `goes from ${before} to ${after} m and the NEES`
+  return `${now} Mended so, the RMS error${off} ${goes} to ${fixed(mended.nees, 1)}.`
 }
 
 /** @param {number} gain */
@@ -185,13 +187,14 @@ function late({ name, with: other, flat, sizes: [size, , third] }, off) {
   const [what, verb] = other ? [together(name, other, third), 'come together'] : DELAYED[name ?? '']
   const further = off > 0 ? 'later' : 'earlier'
   const claim = size.now === 0 ? (off > 0 ? 'late' : 'early') : `${further} than set`
-  const much = flat
-    ? flat
+  const stair = isStair(flat, size.sigma) && flat
+  const much = stair
+    ? stair
         .map((end) => fixed(Math.abs(end - size.now), 2))
         .sort()
         .join(' to ')
     : plusMinus({ ...size, value: Math.abs(off) })
-  return `The ${what} ${verb} ${much} s ${claim}${flat ? ', and the rows of motion tell no more' : ''}`
+  return `The ${what} ${verb} ${much} s ${claim}${stair ? ', and the rows of motion tell no more' : ''}`
 }
 
 /** What comes late by the same. @param {string | null} name @param {string} other @param {Size} [third] */

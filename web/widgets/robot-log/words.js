@@ -1,12 +1,13 @@
 /** What the figure of a log says: each sentence follows from the numbers of the frame. */
 
 import { fixed } from '../../draw/numbers.js'
-import { ranked } from './verdict.js'
+import { named, ranked } from './verdict.js'
 
 /**
  * @typedef {import('estimate-wasm').LogFrame & {
  *   judgement?: import('estimate-wasm').LogJudgement, judging?: boolean, log?: import('./looks.js').Log | null,
- * }} Frame with the verdict on the log, once it has come, and whether it is being looked for
+ *   known?: import('estimate-wasm').Parameter[],
+ * }} Frame with the verdict on the log, once it has come, whether it is being looked for, and what can be set
  */
 
 /** A mean this far from 0, in σ, is called a bias: a radio off by a fifth of its own noise. */
@@ -59,6 +60,18 @@ export function unread(frame) {
  */
 export const expecting = (frame, expected) => (listens(frame) ? unread(frame) : expected)
 
+/**
+ * That a σ which the verdict names is none that anybody has said of this log.
+ * @param {NonNullable<Frame['judgement']>} judgement @param {import('estimate-wasm').Parameter[]} known
+ */
+function begun(judgement, known) {
+  const usual = (/** @type {string | null} */ of) => known.find(({ name }) => name === of)?.default
+  const begins = named(judgement).some(
+    ({ fault, name, claims, sizes }) => fault === 'sigma' && !claims && usual(name) === sizes[0]?.now,
+  )
+  return begins ? ' That σ is the one with which the page begins, whatever the log is.' : ''
+}
+
 /** @param {Frame} frame */
 export function verdict(frame) {
   const { step, summary } = frame
@@ -72,7 +85,7 @@ export function verdict(frame) {
     return `The gate has refused every ${noun(frame)} so far: this is dead reckoning.${errorOf(frame, false)}`
   const { judgement, judging, rows, truth } = frame
   const told = judgement
-    ? [` ${ranked(judgement, { rows, truth: Boolean(truth), log: frame.log })}`]
+    ? [` ${ranked(judgement, { rows, truth: Boolean(truth), log: frame.log })}`, begun(judgement, frame.known ?? [])]
     : judging
       ? [' Still looking for what may be wrong …']
       : [meanOf(frame), nisOf(frame), lagOf(frame)]
