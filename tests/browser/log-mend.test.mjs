@@ -53,8 +53,12 @@ test('a landmark that stands elsewhere is taken there at a press, and where its 
   const all = answer.getByRole('button', { name: 'Read it as they have it' })
   await all.waitFor()
   await page.waitForFunction((before) => document.querySelector('.log-report')?.textContent !== before, before)
-  // The figure is far below the window here, and the report with it: neither stays behind.
-  await page.evaluate(() => scrollTo(0, 0))
+  // The figure is far below the window where there are many files, and the report with it: neither stays behind.
+  await page.evaluate(() => {
+    const files = document.querySelector('.log-files')
+    if (files instanceof HTMLElement) files.style.minBlockSize = '6000px'
+    scrollTo(0, 0)
+  })
   await all.click()
   await page.waitForFunction((before) => document.querySelector('.log-report')?.textContent === before, before)
   await until(it, ({ judgement }) => judgement?.suspects[0].fault === 'displaced', 'the verdict as the file has it')
