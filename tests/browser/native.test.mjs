@@ -113,7 +113,7 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
 
       assert.notDeepEqual(await stateOf(element), start, where)
       // What a reader looks at is the page's own, and no part of a run.
-      const { looks, log, ...ran } = finite(await frameOf(element))
+      const { looks, log, known, ...ran } = finite(await frameOf(element))
       assert.deepEqual(ran, run.frame, where)
       const shown = await element.locator('.live').evaluate((live) => ({
         readouts: [...live.querySelectorAll('.readout')].map((box) => [

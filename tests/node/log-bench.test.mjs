@@ -3,7 +3,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { bentBy, delaysAreOfModel, isAsSet, isOfModel, sentence as fitted } from '../../web/page/log-fit.js'
+import { bentBy, delaysAreOfModel, isAsSet, isOfModel, sentence as fitted, whyAsSet } from '../../web/page/log-fit.js'
 import { sentence, settingBefore } from '../../web/page/log-likelihood.js'
 import { LIMIT, closer, tells, within } from '../../web/page/log-limit.js'
 import { unreadWords } from '../../web/page/log-file-words.js'
@@ -281,7 +281,12 @@ test('what a fit tells by less than twice its ± from what is set stays, and a �
   assert.equal(isAsSet(number({ value: 0.64 }), late), false)
   assert.equal(isAsSet(number({}), { delayFix: 0.64 }), false)
   assert.equal(isAsSet(number({ sigma: null }), late), false, 'it is not told at all')
-  assert.equal(isAsSet(number({ name: 'sigmaFix', value: 1, relative: true }), { sigmaFix: 1 }), false)
+  const sigma = number({ name: 'sigmaFix', value: 1, relative: true })
+  assert.equal(isAsSet(sigma, { sigmaFix: 1 }), false)
+  // A likelihood may have a top where nothing is late: where the verdict finds no fault, no delay is taken.
+  assert.match(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, true), /finds no fault, so it stays/)
+  assert.equal(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, false), '')
+  assert.equal(whyAsSet(sigma, { sigmaFix: 3 }, true), '')
 })
 
 test('a delay that its ± tells less well than the rows of motion has its ±', () => {

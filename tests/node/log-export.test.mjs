@@ -100,6 +100,19 @@ test('what is exported has the σ that was used: that which readings bring times
   assert.doesNotMatch(robotLocalization(usual, contents), /covariance times 2/)
 })
 
+test('what robot_localization has to be told otherwise is said: a true start, and factors on odometry', () => {
+  const { frame, contents } = all[0]
+  const said = (/** @type {any} */ more) => robotLocalization(frame, { ...contents, ...more })
+  assert.match(said({ truth: true }), /# The page’s filter starts at the first true pose of the log: write that into/)
+  assert.doesNotMatch(said({ truth: false }), /first true pose/)
+  const corrections = { driven: [0.9705, 1.01], landmarks: [] }
+  assert.match(
+    said({ motion: 'odometry', corrections }),
+    /# Multiply distances of odometry by 0\.9705 and turns by 1\.01 /,
+  )
+  assert.doesNotMatch(said({ motion: 'odometry' }), /Multiply distances/)
+})
+
 /** What robot_localization’s ekf_node declares in its documentation: without a sensor’s number. */
 const DOCUMENTED = [
   'frequency two_d_mode publish_tf map_frame odom_frame base_link_frame world_frame smooth_lagged_data history_length',

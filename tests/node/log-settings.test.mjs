@@ -3,7 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { NotOpen, isSameLog, isSettings, nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
-import { NONE, areWritten, sameCorrections } from '../../web/page/log-corrections.js'
+import { NONE, markOf, sameCorrections, written } from '../../web/page/log-corrections.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 
 const { LogFiles, LogTable, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
@@ -66,7 +66,7 @@ test('what is written is read again: settings, columns, units and wheels', () =>
 })
 const usual = () => Object.fromEntries(known.map(({ name, default: value }) => [name, value]))
 
-test('what is read otherwise than the files have it is written and read again, and refused where it is none', () => {
+test('what is read otherwise than the files have it is written and read again, or refused', async () => {
   const text = 'L,3,1,2\nO,0,1,0\nO,1,1,0.1\nR,1,3,2\n'
   const files = opened(['log.csv', text])
   const of = () => files.read().contents()
@@ -79,11 +79,14 @@ test('what is read otherwise than the files have it is written and read again, a
   assert.deepEqual(contents.landmarks, [{ id: 3, x: 1.5, y: 2 }])
   assert.ok(contents.notes.includes('Landmark 3 is taken at (1.50, 2.00) m, and not at (1.00, 2.00) m.'))
   const settings = readSettings(settingsText({}, files.files(), contents), known)
-  assert.deepEqual(settings.corrections, { ...corrections, files: ['log.csv'] })
-  // Rows that the page has written have them already: they are called otherwise.
-  assert.equal(areWritten(settings.corrections, files.files()), false)
-  assert.equal(areWritten(settings.corrections, opened(['b_log.csv', text]).files()), true)
-  assert.equal(areWritten(settings.corrections, opened(['later.csv', WHEELS]).files()), false, 'a table of another day')
+  assert.deepEqual(settings.corrections, corrections)
+  // Rows that the page has written say that they have them already, and are rows as before.
+  const rows = written(text, contents.corrections)
+  assert.deepEqual(await markOf(new Blob([rows])), corrections)
+  assert.equal(opened(['b_log.csv', rows]).read().contents().steps, contents.steps)
+  for (const other of [text, '# corrected: {}\n', '# corrected: [\n', ''])
+    assert.equal(await markOf(new Blob([other])), null)
+  assert.equal(written(text, NONE), text)
   assert.ok(sameCorrections(settings.corrections, contents.corrections))
   assert.deepEqual(readSettings(JSON.stringify(none), known).corrections, NONE)
   for (const wrong of [

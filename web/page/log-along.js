@@ -2,7 +2,7 @@
 
 import { button, part } from '../draw/dom.js'
 import { save } from '../figure/save.js'
-import { areWritten, isCorrected, sameCorrections } from './log-corrections.js'
+import { sameCorrections } from './log-corrections.js'
 import { robotLocalization } from './log-export.js'
 import { filterpy } from './log-filterpy.js'
 import {
@@ -24,6 +24,8 @@ import {
  * @property {() => Promise<import('../widgets/robot-log/remote-run.js').RemoteRun>} run
  * @property {() => LogFile[]} files
  * @property {() => boolean} isLog
+ * @property {() => import('estimate-wasm').LogCorrections | null} mark what the page corrected in the files before it
+ *   wrote them
  * @property {(change: Change) => Promise<void>} reread
  * @property {(patch: Record<string, unknown>) => void} change
  */
@@ -153,11 +155,12 @@ class Opened {
         const then = 'The filter has its settings once the files make a log.'
         return [`${file.name}: the files are read as it says. ${then}`, false]
       }
-      const written = isCorrected({ corrections }) && areWritten(corrections, page.files())
+      const mark = page.mark()
+      const written = mark !== null && sameCorrections(mark, corrections)
       if (!written && !sameCorrections(run.contents.corrections, corrections)) await page.reread({ corrections })
       page.change(params)
       const usual = missing.length > 0 ? ` It says nothing of ${missing.join(', ')}: they have their usual values.` : ''
-      const rows = written ? ' The rows are read as they stand: the page has corrected them before it wrote them.' : ''
+      const rows = written ? ' The rows are read as they stand: the page corrected them before it wrote them.' : ''
       return [`The filter has the settings of ${file.name}.${usual}${rows}`, true]
     } catch (error) {
       const stays = read > 0 ? ' What was read otherwise before that stays so.' : ''

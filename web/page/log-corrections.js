@@ -8,14 +8,26 @@ export const NONE = { driven: [1, 1], landmarks: [] }
 /** @param {Corrections} one @param {Corrections} other */
 export const sameCorrections = (one, other) => JSON.stringify(plain(one)) === JSON.stringify(plain(other))
 
-/**
- * Whether the open rows have been corrected before they were written: rows in the book’s own format that are called
- * otherwise than the files whose settings these are. Such rows the page writes.
- * @param {Corrections & { files?: string[] }} corrections
- * @param {import('estimate-wasm').LogFile[]} files that are open
- */
-export const areWritten = ({ files: of = [] }, files) =>
-  files.length > 0 && files.every(({ role, name }) => role === 'log' && !of.includes(name))
+/** How rows begin that the page has corrected before it wrote them. */
+const MARK = '# corrected: '
+/** The longest such line, bytes: a log has 500 landmarks at most. */
+const MOST_MARK = 50_000
+
+/** Rows of a log as a file: corrected ones say so. @param {string} text @param {Corrections} corrections */
+export const written = (text, corrections) =>
+  isCorrected({ corrections }) ? `${MARK}${JSON.stringify(plain(corrections))}\n${text}` : text
+
+/** What the page has corrected in a file before it wrote it; null of another file. @param {Blob} file */
+export async function markOf(file) {
+  const [line] = (await file.slice(0, MOST_MARK).text()).split('\n')
+  if (!line.startsWith(MARK)) return null
+  try {
+    const corrections = JSON.parse(line.slice(MARK.length))
+    return areCorrections(corrections) ? /** @type {Corrections} */ (corrections) : null
+  } catch {
+    return null
+  }
+}
 
 /** Whether a log is corrected. @param {{ corrections: Corrections }} contents */
 export const isCorrected = ({ corrections }) => !sameCorrections(corrections, NONE)
@@ -32,12 +44,11 @@ export function plain({ driven: [far, much], landmarks }) {
 /** @param {unknown} value @param {number} count */
 const numbers = (value, count) => Array.isArray(value) && value.length === count && value.every(Number.isFinite)
 
-/** Whether a file’s value is such corrections, of files by their names. @param {any} value */
+/** Whether a file’s value is such corrections. @param {any} value */
 export function areCorrections(value) {
-  const { driven, landmarks, files = [], ...others } = value ?? {}
-  const names = Array.isArray(files) && files.every((name) => typeof name === 'string')
+  const { driven, landmarks, ...others } = value ?? {}
   const factors = numbers(driven, 2) && driven.every((/** @type {number} */ one) => one > 0)
   const id = (/** @type {number[]} */ [one]) => Number.isInteger(one) && one >= 0
   const places = Array.isArray(landmarks) && landmarks.every((place) => numbers(place, 3) && id(place))
-  return factors && places && names && Object.keys(others).length === 0
+  return factors && places && Object.keys(others).length === 0
 }

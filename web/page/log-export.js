@@ -50,6 +50,13 @@ const scaled = (own, factor) =>
     ? [`  where it has one: that covariance times ${float(Number((factor ** 2).toPrecision(6)))};`]
     : []
 
+/** What the page reads otherwise than the files have it. @param {LogContents} contents */
+function corrected({ corrections, motion }) {
+  const [far, much] = corrections.driven
+  if (motion !== 'odometry' || (far === 1 && much === 1)) return []
+  return [`Multiply distances of odometry by ${float(far)} and turns by ${float(much)} before they are published.`]
+}
+
 /** What no setting of a program of others says, in sentences. @param {Frame} frame @param {LogContents} contents */
 function left(frame, contents) {
   const { params } = frame
@@ -90,6 +97,10 @@ function left(frame, contents) {
       : []),
     'A covariance below is a diagonal of 15 numbers, which robot_localization reads since May 2022: an older one wants',
     'all 225 of the matrix.',
+    ...(contents.truth
+      ? ['The page’s filter starts at the first true pose of the log: write that into initial_state, which has zeros.']
+      : []),
+    ...corrected(contents),
     ...(contents.landmarks.length > 0 ? ['robot_localization takes no ranges to landmarks: they are left out.'] : []),
   ]
 }

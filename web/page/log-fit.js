@@ -66,6 +66,8 @@ export class FitForm {
   show({ judgement, params }) {
     /** What is set. @type {any} */
     this.params = params
+    /** Whether nothing is wrong as it is set. */
+    this.sound = judgement?.suspects[0]?.standing === 'cleared'
     if (this.first) this.first.textContent = mendBefore(judgement ?? null)
   }
 
@@ -114,14 +116,16 @@ export class FitForm {
     const list = part(document, result, 'ul', '')
     const own = delaysAreOfModel(numbers, period)
     const motion = { pace, period: own ? period : 0 }
-    const stays = (/** @type {LogFound['numbers'][number]} */ number) => isAsSet(number, this.params ?? {})
+    const stays = (/** @type {LogFound['numbers'][number]} */ number) =>
+      number.sigma === null ? '' : bent ? BENT : whyAsSet(number, this.params ?? {}, Boolean(this.sound))
     for (const number of numbers)
-      part(document, list, 'li', '').textContent = `${sentence(number, motion)}${stays(number) ? AS_SET : ''}`
+      part(document, list, 'li', '').textContent = `${sentence(number, motion)}${stays(number)}`
     const patch = Object.fromEntries(
       numbers
         .filter((number) => number.sigma !== null && !isOfModel(number, motion.period) && !stays(number))
         .map(({ name, value }) => [name, Number(value.toPrecision(6))]),
     )
+    if (Object.keys(patch).length === 0) return
     const actions = part(document, result, 'div', 'log-actions')
     button(document, actions, 'Take what the log tells', () => this.orders.take({ ...patch, delayTurn: 0 }))
   }
@@ -150,7 +154,8 @@ export function bentBy(beyond, share, readings) {
   return (
     `${percent(beyond / readings)} of these readings lie beyond what should hold ` +
     `${fixed(100 * (1 - share), 1)} % of them: ` +
-    'outliers have bent the fit, as it has no gate, and each σ comes out too large. Your gates stay as they are set.'
+    'outliers have bent the fit, as it has no gate: each σ comes out too large, and a delay may be anything. ' +
+    'Nothing of it can be taken; leave those readings out of the file first.'
   )
 }
 
@@ -169,7 +174,20 @@ export function isOfModel({ name, value, flat }, period) {
  */
 export const isAsSet = ({ name, value, relative, sigma }, params) =>
   !relative && sigma !== null && Math.abs(value - (params[name] ?? 0)) < 2 * sigma
+
+/**
+ * Why a number stays as it is set; empty where it does not.
+ * @param {LogFound['numbers'][number]} number @param {Record<string, any>} params
+ * @param {boolean} sound whether the verdict on what is set finds no fault
+ */
+export function whyAsSet(number, params, sound) {
+  if (isAsSet(number, params)) return AS_SET
+  return sound && !number.relative ? SOUND : ''
+}
+
 const AS_SET = ': what is set lies within twice that, and stays'
+const SOUND = ': the verdict on what is set finds no fault, so it stays; the likelihood may have several tops'
+const BENT = ': bent by outliers, and not taken'
 
 /**
  * Whether all delays may be the motion model’s own. Only what sensors are late against one another is told: where

@@ -24,7 +24,7 @@ import { NONE, areCorrections, isCorrected, plain } from './log-corrections.js'
  */
 /**
  * @typedef {{ params: Record<string, any>, files: SavedFile[], missing: string[], log: SavedLog | null,
- *   corrections: import('estimate-wasm').LogCorrections & { files?: string[] } }} Settings
+ *   corrections: import('estimate-wasm').LogCorrections }} Settings
  */
 
 const FORMAT = 'robot-motion log settings'
@@ -66,9 +66,7 @@ export function settingsText(params, files, contents = null) {
       ...(frame?.origin ? { origin: frame.origin } : {}),
     }))
   const log = contents ? { log: logOf(contents) } : {}
-  const names = files.map(({ name }) => name)
-  const corrected =
-    contents && isCorrected(contents) ? { corrections: { ...plain(contents.corrections), files: names } } : {}
+  const corrected = contents && isCorrected(contents) ? { corrections: plain(contents.corrections) } : {}
   const all = { format: FORMAT, version: VERSION, settings: params, files: saved, ...log, ...corrected }
   return `${JSON.stringify(all, (_, value) => (ArrayBuffer.isView(value) ? Array.from(listOf(value)) : value), 2)}\n`
 }

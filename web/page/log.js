@@ -11,7 +11,7 @@ import { WIDGETS } from '../widgets/index.js'
 import { awaken } from './figures.js'
 import { takeAlong } from './log-along.js'
 import { Answer, PASTED } from './log-answer.js'
-import { NONE, isCorrected } from './log-corrections.js'
+import { NONE, isCorrected, markOf, written } from './log-corrections.js'
 import { Bench } from './log-bench.js'
 import { shortName } from './file-name.js'
 import { EXAMPLES, PUZZLE, addressOf } from './log-examples.js'
@@ -65,10 +65,13 @@ class OwnLog {
     this.held = undefined
     /** The files of the log, as they are read. @type {import('estimate-wasm').LogFile[]} */
     this.files = []
+    /** What the page corrected in them before it wrote them. @type {import('estimate-wasm').LogCorrections | null} */
+    this.mark = null
     this.along = takeAlong(this.report.box, {
       run: () => this.run(),
       files: () => this.files,
       isLog: () => this.set === this.held,
+      mark: () => this.mark,
       reread: (change) => this.reread(change),
       change: (patch) => this.forms.change(patch),
     })
@@ -179,6 +182,7 @@ class OwnLog {
       if (given !== this.given) return this.answer.end(bar.box)
       run.onreading = bar.show
       const answer = await run.read(question)
+      if (question.kind === 'files') this.mark = await markOf(question.files[0])
       this.answer.end(bar.box)
       this.set = answer.set
       this.form.show(answer.files)
@@ -276,7 +280,8 @@ class OwnLog {
   async download(kind) {
     const run = await this.run()
     const { text, message } = await run.table(kind)
-    if (text) save(`${kind}.csv`, 'text/csv', text)
+    const rows = text && kind === 'log' ? written(text, run.contents.corrections) : text
+    if (rows) save(`${kind}.csv`, 'text/csv', rows)
     else this.report.say(message)
   }
 }
