@@ -1,6 +1,7 @@
 // What the verdict names is set at a press below it, and undone at another; the focus and the page keep their place.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
+import { readFile } from 'node:fs/promises'
 import { frameOf, until } from './harness.mjs'
 import { file, openLog } from './own-log.mjs'
 
@@ -53,6 +54,16 @@ test('a landmark that stands elsewhere is taken there at a press, and where its 
   const all = answer.getByRole('button', { name: 'Read it as they have it' })
   await all.waitFor()
   await page.waitForFunction((before) => document.querySelector('.log-report')?.textContent !== before, before)
+  const [written] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Download the log’s rows' }).click(),
+  ])
+  const rows = await readFile(await written.path(), 'utf8')
+  assert.match(
+    rows,
+    /^# corrected: \{"driven":\[1,1\],"landmarks":\[\[2,20\.\d+,2\.?\d*\]\]\}\nL,1,0,0\nL,2,20/,
+    'it says so',
+  )
   // The figure is far below the window where there are many files, and the report with it: neither stays behind.
   await page.evaluate(() => {
     const files = document.querySelector('.log-files')

@@ -81,12 +81,12 @@ test('what is read otherwise than the files have it is written and read again, o
   const settings = readSettings(settingsText({}, files.files(), contents), known)
   assert.deepEqual(settings.corrections, corrections)
   // Rows that the page has written say that they have them already, and are rows as before.
-  const rows = written(text, contents.corrections)
+  const rows = await written(new Blob([text]), contents.corrections).text()
   assert.deepEqual(await markOf(new Blob([rows])), corrections)
   assert.equal(opened(['b_log.csv', rows]).read().contents().steps, contents.steps)
   for (const other of [text, '# corrected: {}\n', '# corrected: [\n', ''])
     assert.equal(await markOf(new Blob([other])), null)
-  assert.equal(written(text, NONE), text)
+  assert.equal(await written(text, NONE).text(), text)
   assert.ok(sameCorrections(settings.corrections, contents.corrections))
   assert.deepEqual(readSettings(JSON.stringify(none), known).corrections, NONE)
   for (const wrong of [

@@ -3,7 +3,7 @@
 /**
  * @param {string} name
  * @param {string} type
- * @param {string} text
+ * @param {string | Blob} text
  */
 export function save(name, type, text) {
   const url = URL.createObjectURL(new Blob([text], { type }))

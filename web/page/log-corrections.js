@@ -13,9 +13,9 @@ const MARK = '# corrected: '
 /** The longest such line, bytes: a log has 500 landmarks at most. */
 const MOST_MARK = 50_000
 
-/** Rows of a log as a file: corrected ones say so. @param {string} text @param {Corrections} corrections */
-export const written = (text, corrections) =>
-  isCorrected({ corrections }) ? `${MARK}${JSON.stringify(plain(corrections))}\n${text}` : text
+/** Rows of a log as a file: corrected ones say so. @param {string | Blob} rows @param {Corrections} corrections */
+export const written = (rows, corrections) =>
+  new Blob(isCorrected({ corrections }) ? [`${MARK}${JSON.stringify(plain(corrections))}\n`, rows] : [rows])
 
 /** What the page has corrected in a file before it wrote it; null of another file. @param {Blob} file */
 export async function markOf(file) {
