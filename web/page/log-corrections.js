@@ -41,8 +41,8 @@ export function plain({ driven: [far, much], landmarks }) {
   return { driven: [far, much], landmarks: places.sort(([one], [other]) => one - other) }
 }
 
-/** @param {unknown} value @param {number} count */
-const numbers = (value, count) => Array.isArray(value) && value.length === count && value.every(Number.isFinite)
+/** Whether a file’s value is a list of so many numbers. @param {unknown} value @param {number} count */
+export const numbers = (value, count) => Array.isArray(value) && value.length === count && value.every(Number.isFinite)
 
 /** Whether a file’s value is such corrections. @param {any} value */
 export function areCorrections(value) {

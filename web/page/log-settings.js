@@ -3,7 +3,7 @@
  * read. A file with anything in it that is not known is refused by name, and changes nothing.
  */
 
-import { NONE, areCorrections, isCorrected, plain } from './log-corrections.js'
+import { NONE, areCorrections, isCorrected, numbers, plain } from './log-corrections.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('estimate-wasm').LogContents} LogContents */
@@ -135,8 +135,6 @@ function only(value, names, where, all = []) {
 }
 
 const SENSORS = ['fix', 'heading', 'range', 'bearing']
-/** @param {unknown} value @param {number} count */
-const numbers = (value, count) => Array.isArray(value) && value.length === count && value.every(Number.isFinite)
 /** @param {unknown} value @param {(one: unknown) => boolean} fits one value, or each sensor’s */
 const bySensor = (value, fits) =>
   value !== null && typeof value === 'object' && !Array.isArray(value)
