@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
-import { framesOf, short } from '../../web/page/log-file-words.js'
+import { framesOf, originOf, short } from '../../web/page/log-file-words.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 
 const { LogFiles, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
@@ -169,4 +169,20 @@ test('of what stands in a field the beginning is shown, and of a date all that d
     '0.1234567890123…',
     '2026-05-01T12:00:05.125+02:00',
   ])
+})
+
+test('an origin is two numbers in degrees, and nothing of it is passed over', () => {
+  for (const text of ['48.137, -11.576', ' 48.137;\u221211.576 ', '48.137 -11.576', '+48.137° , -11.576°'])
+    assert.deepEqual(originOf(text), [48.137, -11.576], text)
+  for (const text of [
+    '',
+    '48.137',
+    '48.137 N, 11.576 W',
+    '48,137; 11,576',
+    '48°08′13″ 11°34′',
+    '91, 8',
+    '48, 361',
+    '1, 2, 3',
+  ])
+    assert.equal(originOf(text), null, text)
 })

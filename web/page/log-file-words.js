@@ -58,6 +58,19 @@ export function framesOf({ foreign, origin, own }) {
   return options
 }
 
+/**
+ * A latitude and a longitude in degrees, as they are typed; null of anything else: a W that is passed over is a place
+ * elsewhere.
+ * @param {string} text @returns {[number, number] | null}
+ */
+export function originOf(text) {
+  const one = '([+\u2212-]?\\d+(?:\\.\\d+)?)\\s*°?'
+  const found = text.trim().match(new RegExp(`^${one}(?:\\s*[,;]\\s*|\\s+)${one}$`))
+  if (!found) return null
+  const [latitude, longitude] = found.slice(1).map((number) => Number(number.replace('\u2212', '-')))
+  return Math.abs(latitude) <= 90 && Math.abs(longitude) <= 360 ? [latitude, longitude] : null
+}
+
 /** @param {import('estimate-wasm').LogOwn} own */
 function ownWords({ framed, mirrored, turn, delay }) {
   if (!framed) return `its own clock: taken ${Math.abs(delay).toFixed(2)} s ${delay < 0 ? 'earlier' : 'later'}`

@@ -4,7 +4,7 @@
  */
 
 import { button, part } from '../draw/dom.js'
-import { faultWords, framesOf, short, unreadWords } from './log-file-words.js'
+import { faultWords, framesOf, originOf, short, unreadWords } from './log-file-words.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('estimate-wasm').LogValue} LogValue */
@@ -219,10 +219,8 @@ export class FileForm {
     const cell = part(document, into, 'div', 'log-value log-role')
     this.entry(cell, `${i} origin`, words, (origin ?? []).join(', '), (text) => {
       if (beside && text.trim() === '') return { file: i, frame: 'same' }
-      const found = text.match(/-?\d+(?:\.\d+)?/g)?.map(Number) ?? []
-      const [latitude, longitude] = found
-      const sound = found.length === 2 && Math.abs(latitude) <= 90 && Math.abs(longitude) <= 360
-      return sound ? { file: i, origin: [latitude, longitude] } : null
+      const origin = originOf(text)
+      return origin && { file: i, origin }
     })
   }
 
