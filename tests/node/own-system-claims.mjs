@@ -199,6 +199,14 @@ export const claims = () => {
     ],
     [
       pattern(
+        /^More digits of the numbers, or a smaller tolerance where they are exact, /,
+        /may decide what is undecided\.$/,
+      ),
+      ({ observable, detectable, noise, badlyScaled }) =>
+        !badlyScaled && [observable, detectable, noise.reachable].includes('undecided'),
+    ],
+    [
+      pattern(
         /^From this start it settles in (\d+|\S+ × 10\S+) steps?(, .+ s)?/,
         /(; a larger start leads to another limit)?\.$/,
       ),
@@ -240,12 +248,14 @@ export const claims = () => {
       pattern(
         /^With (the filter’s gain|this gain|the gain that places them)/,
         /(?: after (?:\d+) steps, a part of which goes on falling,)? the eigenvalues of the error’s matrix /,
-        /reach the modulus (\S+?)(?: × \S+)?(, so an error need not die out)?\.$/,
+        /reach the modulus (\S+?)(?: × \S+)?/,
+        /(?:(, so an error need not die out)|(, and whether an error dies out is undecided))?\.$/,
       ),
-      ({ params, spectralRadius }, who, radius, lives) =>
+      ({ params, spectralRadius, detectable, eigenvalues }, who, radius, lives, open) =>
         (({ 'the filter’s gain': 'filter', 'this gain': 'hand' })[who] ?? 'placement') === params.gain &&
         (spectralRadius >= 1e4 || prints(radius, spectralRadius)) &&
-        Boolean(lives) === spectralRadius >= 1,
+        Boolean(open) === (detectable === 'undecided' && eigenvalues[0].fixed) &&
+        (open !== undefined || Boolean(lives) === spectralRadius >= 1),
     ],
     [
       pattern(

@@ -222,3 +222,34 @@ test('an entry of the filter’s gain that is rounding beside the others is show
   const mine = { ...far, K: [[1], [1e-15]], params: { ...far.params, gain: 'hand' } }
   assert.deepEqual(withoutRounding(mine), [[1], [1e-15]])
 })
+
+/** A walk that no reading sees, in turned coordinates, with so many digits. @param {number} digits */
+function hidden(digits) {
+  const write = (/** @type {number[][]} */ rows) =>
+    `[${rows.map((row) => row.map((entry) => Number(entry.toPrecision(digits))).join(' ')).join('; ')}]`
+  // F = T diag(1, 0.8) T⁻¹ and H = [0 1] T⁻¹, with T a turn by 0.3 rad.
+  const [c, s] = [Math.cos(0.3), Math.sin(0.3)]
+  const F = [
+    [c * c + 0.8 * s * s, 0.2 * c * s],
+    [0.2 * c * s, s * s + 0.8 * c * c],
+  ]
+  return `F = ${write(F)}; H = ${write([[-s, c]])}; V = eye(2); W = 0.2; T = 0.1`
+}
+
+test('what rounded numbers leave undecided is said of the limit, of times and of the end, with what would decide', () => {
+  const of = (/** @type {any} */ frame, /** @type {string} */ key) =>
+    readouts(frame).find((/** @type {any} */ one) => one.key === key)?.value
+  const KEYS = ['steps', 'seconds', 'settled', 'limit', 'depends']
+  const open = pasted(hidden(11))
+  assert.deepEqual([open.detectable, open.limit], ['undecided', 'undecided'])
+  assert.deepEqual(
+    KEYS.map((key) => of(open, key)),
+    KEYS.map(() => 'undecided'),
+  )
+  assert.match(of(open, 'roots'), /^1\.000, 0\.\d+ \(/, 'its time is not said')
+  assert.match(verdict(open), /More digits of the numbers, .*, and whether an error dies out is undecided\./)
+  assert.doesNotMatch(verdict(open), /From this start|need not die out/)
+  const typed = pasted(hidden(11), { logTolerance: -13 })
+  assert.notEqual(typed.detectable, 'undecided')
+  assert.doesNotMatch(verdict(typed), /undecided/)
+})

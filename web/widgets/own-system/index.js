@@ -14,6 +14,7 @@ import { MOST, PRESETS, paramsOf, runOf } from './presets.js'
 import { drawRanks } from './ranks.js'
 import { buildShown } from './shown.js'
 import { same } from './typed-system.js'
+import { endIsOpen, limitIsOpen } from './undecided.js'
 import { describe, rootsOf, settles, shownState, verdict } from './words.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
@@ -38,17 +39,24 @@ function readouts(frame) {
   const decimals = decimalsOf(eigenvalues, 3)
   const slowest = decay[0]
   const i = shownState(params)
+  const open = endIsOpen(frame, 0)
   return [
     { key: 'radius', label: 'Largest modulus', value: fixed(frame.spectralRadius, decimals), headline: true },
     {
       key: 'steps',
       label: 'Steps until 5 %',
-      value: slowest.steps === null ? 'never' : String(Math.ceil(slowest.steps)),
+      value: open ? 'undecided' : slowest.steps === null ? 'never' : String(Math.ceil(slowest.steps)),
     },
     {
       key: 'seconds',
       label: 'Slowest time constant',
-      value: slowest.seconds !== null ? seconds(slowest.seconds) : params.period > 0 ? '–' : 'needs a step’s length',
+      value: open
+        ? 'undecided'
+        : slowest.seconds !== null
+          ? seconds(slowest.seconds)
+          : params.period > 0
+            ? '–'
+            : 'needs a step’s length',
     },
     { key: 'rank', label: 'Rank', value: `${rank.rank} of ${params.states}` },
     { key: 'observable', label: 'Observable', value: frame.observable },
@@ -75,7 +83,7 @@ function readouts(frame) {
     {
       key: 'limit',
       label: 'Filter’s limit P, before a reading, by rows',
-      value: limitWords(frame.limitP),
+      value: limitIsOpen(frame) ? 'undecided' : limitWords(frame.limitP),
       kin: 'prediction',
       more: true,
       wide: true,
@@ -84,7 +92,9 @@ function readouts(frame) {
       key: 'roots',
       label: 'Eigenvalues',
       value: rootsOf(eigenvalues)
-        .map((root, j) => (decay[j].seconds === null ? root : `${root} (${seconds(decay[j].seconds)})`))
+        .map((root, j) =>
+          decay[j].seconds === null || endIsOpen(frame, j) ? root : `${root} (${seconds(decay[j].seconds)})`,
+        )
         .join(', '),
       more: true,
       wide: true,
@@ -92,7 +102,7 @@ function readouts(frame) {
     {
       key: 'depends',
       label: 'A larger start, another limit',
-      value: doubled.converged ? (doubled.dependsOnStart ? 'yes' : 'no') : '–',
+      value: limitIsOpen(frame) ? 'undecided' : doubled.converged ? (doubled.dependsOnStart ? 'yes' : 'no') : '–',
       more: true,
     },
     {

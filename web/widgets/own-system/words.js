@@ -2,12 +2,13 @@
 
 import { fixed, power } from '../../draw/numbers.js'
 import { decimalsOf, seconds, steps, sumsOf } from './names.js'
+import { endIsOpen, limitIsOpen, wouldDecide } from './undecided.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
 
 /** @param {Frame} frame */
 export function verdict(frame) {
-  const sentences = [asks, lost, seen, dies, reached, limit, stability].map((say) => say(frame))
+  const sentences = [asks, lost, seen, dies, reached, limit, wouldDecide, stability].map((say) => say(frame))
   return sentences.filter(Boolean).join(' ')
 }
 
@@ -109,7 +110,7 @@ const breaks = ({ settled, tried, doubled, detectable }) =>
 export function settles(frame) {
   const { settled, tried, doubled, limit: kind } = frame
   if (breaks(frame)) return 'a step has no answer'
-  if (frame.badlyScaled) return 'undecided'
+  if (limitIsOpen(frame)) return 'undecided'
   if (settled !== null && kind === 'none') return `no change after ${settled}`
   if (frame.slowly || frame.near === null) {
     if (vanishes(frame)) return 'falls towards 0'
@@ -167,7 +168,7 @@ function limitOf(frame) {
   const lasts = (/** @type {number} */ count) => (params.period > 0 ? `, ${seconds(count * params.period)}` : '')
   const another = doubled.dependsOnStart ? '; a larger start leads to another limit' : ''
   // A sum that loses what a weakly read state adds comes to rest early: that says nothing.
-  const run = frame.badlyScaled
+  const run = limitIsOpen(frame)
     ? ''
     : settled !== null && kind === 'none'
       ? ` From this start it grows too slowly to show: after ${settled} steps no digit changes.`
@@ -241,7 +242,11 @@ function underGain(frame) {
         : ` ${stuck === 1 ? 'One of them stays' : `${stuck} of them stay`} where ` +
           `${stuck === 1 ? 'it is' : 'they are'} whatever the gain.`
   // What is computed as a little less than 1 need not be less.
-  const forEver = spectralRadius < 1 - ON_CIRCLE ? '' : ', so an error need not die out'
+  const forEver = endIsOpen(frame, 0)
+    ? ', and whether an error dies out is undecided'
+    : spectralRadius < 1 - ON_CIRCLE
+      ? ''
+      : ', so an error need not die out'
   const reach = `the eigenvalues of the error’s matrix reach the modulus ${fixed(spectralRadius, decimals)}`
   return `${who} ${reach}${forEver}.${fixedOnes}`
 }
