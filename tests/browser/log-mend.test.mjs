@@ -116,3 +116,42 @@ test('a start that the verdict names is set at a press, and undone at another', 
   assert.equal(await back.isVisible(), false)
   assert.equal((await frameOf(it)).params.start, null)
 })
+
+test('σ with which the page begins are fitted together at one press, which is given up or undone as one', async (t) => {
+  const { page, it, choose } = await openLog(t, { viewport: { width: 390, height: 844 } })
+  await choose(circle('known.csv', 800, [0, 0], ['G,0,10,7,0']))
+  const bar = page.locator('robot-log .live .log-mend')
+  const press = bar.getByRole('button', { name: /^Fit (both|all \w+) σ$/ })
+  await press.waitFor()
+  const { params: before, judgement } = await frameOf(it)
+  const wrong = judgement.suspects.filter(({ fault }) => fault === 'sigma').map(({ name }) => name)
+  // Given up before the worker can have read its first word.
+  await press.evaluate((one) => {
+    one.click()
+    const [, cancel] = [...(one.closest('.log-mend')?.querySelectorAll('button') ?? [])]
+    if (cancel.textContent !== 'Cancel' || cancel !== document.activeElement) throw new Error('no Cancel in reach')
+    cancel.click()
+  })
+  await bar.getByText('The fit was given up.').waitFor()
+  assert.deepEqual((await frameOf(it)).params, before)
+  assert.equal(await press.evaluate((one) => one === document.activeElement), true)
+  await press.press('Enter')
+  const { params, ...fitted } = await until(
+    it,
+    (frame) =>
+      frame.params.sigmaRange !== frame.known.find(({ name }) => name === 'sigmaRange').default && frame.judgement,
+    'the verdict on what was fitted',
+  )
+  assert.ok(wrong.length > 1 && wrong.every((name) => params[name] !== before[name]), wrong.join())
+  assert.ok(Math.abs(params.sigmaRange - 0.21) < 0.03, `the errors swing between −0.3 and 0.3 m: ${params.sigmaRange}`)
+  assert.ok(fitted.judgement.suspects.every(({ fault, standing }) => fault !== 'sigma' || standing === 'cleared'))
+  const back = bar.getByRole('button', { name: 'Undo' })
+  assert.equal(await back.evaluate((one) => one === document.activeElement), true, 'the next key undoes it')
+  await back.press('Enter')
+  const undone = await until(
+    it,
+    (frame) => frame.params.sigmaRange === before.sigmaRange && frame.judgement,
+    'as before',
+  )
+  assert.deepEqual(undone.params, before)
+})

@@ -3,7 +3,6 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { bentBy, delaysAreOfModel, isAsSet, isOfModel, sentence as fitted, whyAsSet } from '../../web/page/log-fit.js'
 import { sentence, settingBefore } from '../../web/page/log-likelihood.js'
 import { LIMIT, closer, tells, within } from '../../web/page/log-limit.js'
 import { unreadWords } from '../../web/page/log-file-words.js'
@@ -86,36 +85,6 @@ test('a setting is compared with the one before of the same log alone', () => {
   assert.equal(settingBefore(a, b, { ...b }), a, 'the same setting anew')
   assert.equal(settingBefore(null, a, frame(other, 1)), null)
   assert.equal(settingBefore(a, b, frame(other, 1)), null)
-})
-
-const MOTION = { pace: 1, period: 0.1 }
-
-test('what a fit has found has as many digits as it is known to', () => {
-  const number = (name, value, sigma, relative = false) => fitted({ name, value, sigma, relative, flat: null }, MOTION)
-  assert.equal(number('delayFix', 0.38547, 0.00134), 'delay of the positions, s: 0.3855 ± 0.0013')
-  assert.equal(number('delayFix', 0.399941, 0.0000202), 'delay of the positions, s: 0.399941 ± 0.000020')
-  assert.equal(number('sigmaFix', 0.029967, 0.01342, true), 'σ of a position, m: 0.02997 ± 1.3 %')
-  assert.equal(number('headingOffset', 0.2, 0.0025), 'offset of the headings, °: 11.46 ± 0.14')
-  assert.equal(number('offset', -12.3, 25), 'offset of the ranges, m: −12 ± 25')
-  assert.match(number('scale', 0.03, null), /does not tell it/)
-  const stair = fitted({ name: 'delayFix', value: 0.317, sigma: 0.025, relative: false, flat: [0.3, 0.4] }, MOTION)
-  const short = { name: 'delaySighting', value: -0.0108, sigma: 0.0023, relative: false, flat: null }
-  const own = /: −0\.0108 ± 0\.0023: less than half a step of 0\.100 s .* the motion model’s own, and not taken$/
-  assert.match(fitted(short, MOTION), own)
-  assert.deepEqual([isOfModel(short, 0.1), isOfModel(short, 0.02)], [true, false])
-  // What is late against another is told: short delays beside a longer one are taken with it.
-  const late = { ...short, name: 'delayFix', value: 0.42 }
-  assert.deepEqual([delaysAreOfModel([short], 0.1), delaysAreOfModel([short, late], 0.1)], [true, false])
-  assert.match(stair, /^delay of the positions, s: 0\.30 to 0\.40, all alike: the log has no row of motion in between$/)
-})
-
-test('a fit that outliers have bent says so, and a sound one does not', () => {
-  assert.match(
-    bentBy(40, 0.001, 2000),
-    /^2\.0 % of these readings lie beyond what should hold 99\.9 % of them: outliers/,
-  )
-  assert.equal(bentBy(4, 0.001, 2000), '')
-  assert.equal(bentBy(3, 0.001, 100), '', 'few readings say nothing')
 })
 
 /** @param {number[][]} places @param {number} sigma */
@@ -272,28 +241,4 @@ test('columns that are not read are named in one short sentence', () => {
   assert.match(words, /^Not read: covariance\.0, covariance\.1, .* and 39\d more\.$/)
   assert.ok(words.length < 130, words)
   assert.ok(unreadWords(['x'.repeat(5000)]).length < 40, 'a long name is cut')
-})
-
-test('what a fit tells by less than twice its ± from what is set stays, and a σ is always taken', () => {
-  const number = (more) => ({ name: 'delayFix', value: -0.06, relative: false, sigma: 0.035, flat: null, ...more })
-  const late = { delayFix: 0 }
-  assert.equal(isAsSet(number({}), late), true)
-  assert.equal(isAsSet(number({ value: 0.64 }), late), false)
-  assert.equal(isAsSet(number({}), { delayFix: 0.64 }), false)
-  assert.equal(isAsSet(number({ sigma: null }), late), false, 'it is not told at all')
-  const sigma = number({ name: 'sigmaFix', value: 1, relative: true })
-  assert.equal(isAsSet(sigma, { sigmaFix: 1 }), false)
-  // A likelihood may have a top where nothing is late: where the verdict finds no fault, no delay is taken.
-  assert.match(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, true), /finds no fault, so it stays/)
-  assert.equal(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, false), '')
-  assert.equal(whyAsSet(sigma, { sigmaFix: 3 }, true), '')
-})
-
-test('a delay that its ± tells less well than the rows of motion has its ±', () => {
-  /** @type {import('estimate-wasm').LogFound['numbers'][number]} */
-  const number = { name: 'delayFix', value: 0.65, relative: false, sigma: 0.04, flat: [0.64, 0.66] }
-  const motion = { pace: 1, period: 0 }
-  assert.match(fitted(number, motion), /^delay of the positions, s: 0\.650 ± 0\.040$/)
-  assert.match(fitted({ ...number, sigma: 0.005 }, motion), /0\.64 to 0\.66, all alike/)
-  assert.match(fitted({ ...number, sigma: null }, motion), /0\.64 to 0\.66, all alike/)
 })

@@ -133,7 +133,7 @@ export const logClasses = (lab) => ({
   },
   LogFit: {
     before: (core) => [core.RobotLog.parse(LOG)],
-    make: (dice) => [{ gate: dice.pick([null, 0.99]) }],
+    make: (dice) => [{ gate: dice.pick([null, 0.99]) }, dice.pick([undefined, ['sigmaRange', 'scale']])],
     spoilt: 0.5,
     methods: { step: () => [], found: () => [] },
     look: (it) => it.found(),

@@ -2,7 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { sentence as fitted } from '../../web/page/log-fit.js'
+import { sentence as fitted } from '../../web/page/log-fit-words.js'
 import {
   acts,
   numbersOf as numbersToTell,

@@ -236,7 +236,7 @@ function hidden(digits) {
   return `F = ${write(F)}; H = ${write([[-s, c]])}; V = eye(2); W = 0.2; T = 0.1`
 }
 
-test('what rounded numbers leave undecided is said of the limit, of times and of the end, with what would decide', () => {
+test('what rounded numbers leave undecided is said so of the limit and of times, with what would decide', () => {
   const of = (/** @type {any} */ frame, /** @type {string} */ key) =>
     readouts(frame).find((/** @type {any} */ one) => one.key === key)?.value
   const KEYS = ['steps', 'seconds', 'settled', 'limit', 'depends']

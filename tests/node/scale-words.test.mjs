@@ -2,7 +2,7 @@
 // is read beside what is there, and not what a filter is to multiply by.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { sentence as fitted } from '../../web/page/log-fit.js'
+import { sentence as fitted } from '../../web/page/log-fit-words.js'
 import { ranked, sentence } from '../../web/widgets/robot-log/verdict.js'
 import { judgement, suspect } from './verdicts.mjs'
 

@@ -1,8 +1,9 @@
 // What a press below the verdict sets is what the verdict's sentence says, and only where one setting mends it.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { mendBefore } from '../../web/page/log-fit.js'
-import { remedies, remedy } from '../../web/page/log-mend.js'
+import { mendBefore } from '../../web/page/log-fit-words.js'
+import { remedies, remedy } from '../../web/page/log-remedy.js'
+import { unsettledWords } from '../../web/widgets/robot-log/unsettled.js'
 import { sentence } from '../../web/widgets/robot-log/verdict.js'
 import { judgement, suspect } from './verdicts.mjs'
 
@@ -157,4 +158,48 @@ test('Fit says what the verdict names and it does not look for', () => {
   assert.equal(mendBefore(judgement([suspect({})])), '', 'a delay is among what it finds')
   assert.equal(mendBefore(judgement([{ ...start, standing: 'cleared' }])), '')
   assert.equal(mendBefore(null), '')
+})
+
+test('σ that are wrong, or that the page begins with, are fitted together at one press', () => {
+  /** @param {string} name @param {number} now @param {number} value @param {string} standing */
+  const sigma = (name, now, value, standing) =>
+    suspect({
+      fault: 'sigma',
+      name,
+      sizes: [size(value, 0.01, now)],
+      standing,
+      excess: standing === 'cleared' ? -1 : 9,
+    })
+  const known = Object.entries({ sigmaDistance: 0.1, sigmaTurn: 0.05, sigmaFix: 1 })
+  const usual = /** @type {any} */ (known.map(([name, value]) => ({ name, default: value })))
+  const set = { gate: null, sigmaDistance: 0.1, sigmaTurn: 0.05, sigmaFix: 0.4 }
+  /** @param {any[]} suspects @param {any} [params] @returns {[any[], string]} */
+  const of = (suspects, params = set) => {
+    const verdict = judgement(suspects)
+    const shown = /** @type {any} */ ({ params, truth: null, log: null, known: usual })
+    return [remedies(verdict, shown), unsettledWords(verdict, params, usual)]
+  }
+  const [fix, turn, distance] = [
+    sigma('sigmaFix', 0.4, 0.5, 'sure'),
+    sigma('sigmaTurn', 0.05, 0.05, 'cleared'),
+    sigma('sigmaDistance', 0.1, 0.2, 'maybe'),
+  ]
+  assert.deepEqual(of([fix, turn, distance]), [
+    [{ press: 'Fit all three σ', fit: ['sigmaFix', 'sigmaTurn', 'sigmaDistance'] }],
+    ' The two others are as uncertain: a fit finds all three together.',
+  ])
+  const told = { ...set, sigmaTurn: 0.03 }
+  assert.deepEqual(of([fix, turn, distance], told), [
+    [{ press: 'Fit both σ', fit: ['sigmaFix', 'sigmaDistance'] }],
+    ' Another σ is as uncertain: a fit finds both together.',
+  ])
+  const alone = of([fix, turn, { ...distance, standing: 'cleared' }], { ...told, sigmaDistance: 0.2 })
+  assert.deepEqual(alone, [[{ press: 'Set it so', patch: { sigmaFix: 0.5 } }], ''])
+  const [presses, words] = of([sigma('sigmaTurn', 0.05, 0.1, 'sure')])
+  assert.equal(presses[0].press, 'Set it so')
+  assert.equal(words, ' That σ is the one with which the page begins, whatever the log is.')
+  // Readings that bring their own are none of the page's; another fault is mended first.
+  const own = suspect({ fault: 'sigma', name: 'fixSigmaScale', claims: [1, 1, 1], sizes: [size(2, 0.1, 1)] })
+  assert.deepEqual(of([own, turn])[0][0].fit, ['fixSigmaScale', 'sigmaTurn'])
+  assert.deepEqual(of([suspect({}), turn, distance])[0][0].patch, { delayFix: 0.35 })
 })

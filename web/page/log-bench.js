@@ -16,10 +16,10 @@ export class Bench {
   /**
    * @param {HTMLElement & { figure: any }} host of the figure
    * @param {HTMLElement} strip what a reader sets
-   * @param {{ change: (patch: Record<string, unknown>) => void, follow: () => void,
-   *   reread: ConstructorParameters<typeof MendBar>[1] }} orders
+   * @param {import('./log-mend.js').Orders & { follow: () => void }} orders
    */
-  constructor(host, strip, { change, follow, reread }) {
+  constructor(host, strip, { follow, ...orders }) {
+    const { change } = orders
     this.host = host
     this.strip = strip
     this.look = (/** @type {any} */ looks) => {
@@ -28,7 +28,7 @@ export class Bench {
       follow()
     }
     this.likelihood = new LikelihoodLine({ change, look: this.look })
-    this.mend = new MendBar(change, reread)
+    this.mend = new MendBar(orders)
     this.view = new ViewBar(this.look)
     this.sources = new SourceTable(this.look)
     this.map = new LikelihoodMap(() => host.figure.run, change)

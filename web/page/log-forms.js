@@ -2,6 +2,7 @@
 
 import { FitForm } from './log-fit.js'
 import { SENSORS, openingOf, settingWords } from './log-numbers.js'
+import { GATE } from './log-remedy.js'
 import { SensorForm } from './log-sensors.js'
 import { StartForm } from './log-start.js'
 
@@ -60,6 +61,16 @@ export class Forms {
       running.onfitting = (told) => this.fit.progress(told)
       return running.fit()
     }
+    /**
+     * Finds several σ together, whatever outliers there are.
+     * @param {string[]} only @param {(done: number) => void} told
+     */
+    this.fitTogether = (only, told) => {
+      const { run: running } = host.figure
+      running.onfitting = (/** @type {{ done: number }} */ { done }) => told(done)
+      return running.fit({ only, from: { gate: GATE } })
+    }
+    this.stopFit = () => host.figure?.run?.stop('fit')
     /** Told what Fit is about to set, and what is set now. @type {import('./log-mend.js').MendBar['keep'] | null} */
     this.keep = null
     const take = (/** @type {Record<string, unknown>} */ patch) => {
@@ -68,7 +79,7 @@ export class Forms {
     }
     this.sensors = new SensorForm(box, this.change)
     this.start = new StartForm(box, this.change, smooth)
-    this.fit = new FitForm(box, { fit, stop: () => host.figure?.run?.stop('fit'), take })
+    this.fit = new FitForm(box, { fit, stop: this.stopFit, take })
     /** Where the log begins by its first fixes, as text. */
     this.opening = ''
     /** The names of the files of the reader's log, as text; null until there is one. @type {string | null} */

@@ -1,122 +1,39 @@
 /**
  * What the verdict names, set at a press below it and undone at another. What no setting mends, the places of landmarks
- * and the size of wheels, is read otherwise than the files have it.
+ * and the size of wheels, is read otherwise than the files have it; σ that are wrong together are fitted together.
  */
 
 import { button, part } from '../draw/dom.js'
-import { factors } from '../widgets/robot-log/driven.js'
-import { rounded } from '../widgets/robot-log/sized.js'
-import { wrapped } from '../widgets/robot-log/start.js'
-import { named } from '../widgets/robot-log/verdict.js'
-import { bySensor } from './log-numbers.js'
+import { rounded } from './log-fit-words.js'
+import { remedies } from './log-remedy.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
-/** @typedef {import('estimate-wasm').LogSuspect} Suspect */
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
-/** @typedef {Record<string, unknown>} Patch */
 /** @typedef {import('estimate-wasm').LogCorrections} Corrections */
-/** @typedef {{ press: string, patch?: Patch, corrections?: Corrections }} Remedy */
-
-/** What refuses outliers and next to nothing else. */
-const GATE = 0.999
-const DEGREE = Math.PI / 180
-/** The delays of readings that come late together, in the order of their sizes. */
-const TOGETHER = ['delayFix', 'delayHeading', 'delaySighting']
-/** What the filter learns by itself, by the number that is off. @type {Record<string, string>} */
-const LEARNED = { turnBias: 'learnBias', speedScale: 'learnSpeed' }
-
+/** @typedef {import('./log-remedy.js').Remedy} Remedy */
+/** @typedef {Record<string, unknown>} Patch */
 /**
- * A size as its sentence says it, in the filter's unit.
- * @param {Suspect['sizes'][number]} size @param {number} [times] what one of its units is in the sentence's
+ * @typedef {object} Orders
+ * @property {(patch: Patch) => void} change
+ * @property {() => boolean} may whether the page has the files of the log
+ * @property {(corrections: Corrections) => Promise<void>} reread how these are read otherwise
+ * @property {(names: string[], progress: (done: number) => void) => Promise<any>} fit
+ * @property {() => void} stop the fit
  */
-const said = (size, times = 1) => Number((rounded(size, times) / times).toPrecision(12))
 
-/**
- * What is read otherwise where landmarks or odometry are wrong; null where they are not, or a unit is.
- * @param {Suspect} suspect @param {Frame['log']} log
- * @returns {Remedy | null}
- */
-function corrected({ fault, landmarks: ids, sizes }, log) {
-  if (!log?.corrections) return null
-  const { driven, landmarks: moved } = log.corrections
-  if (fault === 'odometry') {
-    if (sizes[0].end) return null
-    const [along, about = 1] = factors(sizes)
-    return { press: 'Take them so', corrections: { driven: [driven[0] * along, driven[1] * about], landmarks: moved } }
-  }
-  const at = (/** @type {number} */ id) => log.landmarks?.find((one) => one.id === id)
-  const [one, other = one] = ids ?? []
-  const [here, there] = [at(one), at(other)]
-  if (!here || !there) return null
-  const [x, y] = sizes.map((size) => said(size))
-  /** @type {Corrections['landmarks']} */
-  const places =
-    fault === 'displaced'
-      ? [[one, x, y]]
-      : [
-          [one, there.x, there.y],
-          [other, here.x, here.y],
-        ]
-  const others = moved.filter(([id]) => !ids?.includes(id))
-  const press = fault === 'displaced' ? 'Take it there' : 'Exchange them'
-  return { press, corrections: { driven, landmarks: [...others, ...places] } }
-}
-
-/**
- * The setting that mends a fault as its sentence says, and the words of the press; null where the reader has to mend
- * the file, a unit or the truth.
- * @param {Suspect} suspect @param {Frame['params']} params @param {boolean} truth @param {Frame['log']} [log]
- * @returns {Remedy | null}
- */
-export function remedy(suspect, params, truth, log = null) {
-  const { fault, name, with: other, sensor, sizes, times: read } = suspect
-  if (fault === 'mirrored') return null
-  if (['odometry', 'exchanged', 'displaced'].includes(fault)) return corrected(suspect, log)
-  if (fault === 'tails')
-    return { press: 'Switch the gate on', patch: { gate: { ...bySensor(params.gate), [sensor ?? 'fix']: GATE } } }
-  if (fault === 'start') {
-    if (truth) return null
-    const [x, y, theta] = sizes
-    const start = [said(x), said(y), said({ ...theta, value: wrapped(theta.value) }, 1 / DEGREE)]
-    return { press: 'Set the start so', patch: { start } }
-  }
-  // It may be in another unit, which is the reader's to say.
-  if (fault === 'scale' && (sizes[0].end || read?.unit)) return null
-  const learned = LEARNED[name ?? '']
-  if (learned) return { press: 'Let the filter learn it', patch: { [learned]: true } }
-  const names = sizes.length > 2 ? TOGETHER : [name, other].filter((one) => one !== null)
-  const times = fault === 'turned' ? 1 / DEGREE : fault === 'scale' ? 100 : 1
-  const patch = Object.fromEntries(names.map((one, i) => [one, said(sizes[i], i === 0 ? times : 1)]))
-  return { press: names.length > 1 ? 'Set them so' : 'Set it so', patch }
-}
-
-/**
- * The presses for what a judgement names: one, or two where the readings do not tell which it is.
- * @param {LogJudgement | null} judgement @param {Frame} frame
- */
-export function remedies(judgement, { params, truth, log }) {
-  const all = (judgement ? named(judgement) : []).map((suspect) => remedy(suspect, params, Boolean(truth), log))
-  const either = ['Either', 'Or']
-  return all.flatMap((one, i) => {
-    if (!one) return []
-    const { press } = one
-    return [{ ...one, press: all.length > 1 ? `${either[i]}: ${press[0].toLowerCase()}${press.slice(1)}` : press }]
-  })
-}
+const GIVEN_UP = 'The fit was given up.'
 
 export class MendBar {
-  /**
-   * @param {(patch: Patch) => void} change
-   * @param {{ may: () => boolean, take: (corrections: Corrections) => Promise<void> }} reread whether the page has the
-   * files of the log, and how these are read otherwise
-   */
-  constructor(change, reread) {
-    this.change = change
-    this.reread = reread
+  /** @param {Orders} orders */
+  constructor(orders) {
+    this.orders = orders
     this.box = document.createElement('div')
     this.box.className = 'log-mend'
     this.box.tabIndex = -1
     this.presses = part(document, this.box, 'span', '')
+    this.words = part(document, this.box, 'span', 'log-fitting')
+    this.words.setAttribute('role', 'status')
+    this.end = button(document, this.box, 'Cancel', () => this.cancel())
     this.undoing = button(document, this.box, 'Undo', () => this.undo())
     /** What the presses are of. @type {LogJudgement | null} */
     this.judgement = null
@@ -124,6 +41,8 @@ export class MendBar {
     this.taken = []
     /** Whether the log that comes is this one, corrected. */
     this.correcting = false
+    /** The fit that is under way. @type {Remedy | null} */
+    this.fitting = null
     this.begin()
   }
 
@@ -132,6 +51,8 @@ export class MendBar {
     if (this.correcting) return
     this.taken = []
     this.judgement = null
+    this.giveUp()
+    this.words.textContent = ''
     this.presses.replaceChildren()
     this.hold('')
     this.hide()
@@ -145,6 +66,8 @@ export class MendBar {
     const set = Object.entries(last?.mended.patch ?? {})
     if (set.some(([name, value]) => !same(wanted[name], value))) this.taken = []
     // While the next verdict is looked for, the presses keep their places and wait: nothing moves under the finger.
+    // A fit of settings that the reader has changed meanwhile is of no use.
+    if (judging) this.giveUp()
     if (judging) this.wait()
     else if (judgement !== this.judgement) this.fill(judgement, frame, wanted)
     this.hide()
@@ -154,9 +77,10 @@ export class MendBar {
   fill(judgement, frame, wanted) {
     this.judgement = judgement
     this.presses.replaceChildren()
+    this.words.textContent = ''
     if (judgement) this.hold('')
     for (const remedy of remedies(judgement, frame))
-      if (remedy.patch || this.reread.may())
+      if (!remedy.corrections || this.orders.may())
         button(document, this.presses, remedy.press, () => this.take(remedy, frame, wanted), 'button')
   }
 
@@ -169,7 +93,8 @@ export class MendBar {
 
   /** @param {Remedy} remedy @param {Frame} frame @param {Patch} wanted */
   take(remedy, { log }, wanted) {
-    const { patch } = remedy
+    const { patch, fit } = remedy
+    if (fit) return this.fit(remedy, fit, wanted)
     if (patch) this.keep(patch, wanted)
     else this.taken.push({ mended: remedy, before: { press: '', corrections: log?.corrections } })
     this.hide()
@@ -179,13 +104,61 @@ export class MendBar {
     this.mend(remedy)
   }
 
+  /**
+   * Fits several σ and sets them.
+   * @param {Remedy} remedy @param {string[]} names @param {Patch} wanted
+   */
+  async fit(remedy, names, wanted) {
+    this.fitting = remedy
+    this.hide()
+    this.end.focus({ preventScroll: true })
+    this.wait()
+    this.say(0)
+    const answer = await this.orders.fit(names, (done) => this.say(done))
+    if (this.fitting !== remedy) return
+    this.fitting = null
+    if (answer.kind !== 'fit') return this.free(answer.message ?? answer.why ?? GIVEN_UP)
+    // One that the log does not tell is where it is as likely as anywhere, or the least that is tried.
+    const patch = rounded(answer.found.numbers)
+    this.words.textContent = ''
+    this.hold()
+    this.keep(patch, wanted)
+    this.orders.change(patch)
+    this.undoing.focus({ preventScroll: true })
+  }
+
+  /** Nothing has come of a fit. @param {string} words */
+  free(words) {
+    this.words.textContent = words
+    for (const press of this.presses.children) /** @type {HTMLButtonElement} */ (press).disabled = false
+    this.hide()
+    this.presses.querySelector('button')?.focus({ preventScroll: true })
+  }
+
+  cancel() {
+    this.giveUp()
+    this.free(GIVEN_UP)
+  }
+
+  /** How far a fit has come. @param {number} done replays */
+  say(done) {
+    this.words.textContent = `Fitting: ${done.toLocaleString('en')} ${done === 1 ? 'replay' : 'replays'} …`
+  }
+
+  giveUp() {
+    if (!this.fitting) return
+    this.fitting = null
+    this.words.textContent = ''
+    this.orders.stop()
+  }
+
   /** @param {Remedy} remedy */
   async mend({ patch, corrections }) {
-    if (patch) this.change(patch)
+    if (patch) this.orders.change(patch)
     if (!corrections) return
     this.correcting = true
     try {
-      await this.reread.take(corrections)
+      await this.orders.reread(corrections)
     } finally {
       this.correcting = false
     }
@@ -215,7 +188,8 @@ export class MendBar {
   }
 
   hide() {
-    this.undoing.hidden = this.taken.length === 0
+    this.end.hidden = !this.fitting
+    this.undoing.hidden = this.taken.length === 0 || Boolean(this.fitting)
     this.box.hidden = this.undoing.hidden && !this.presses.hasChildNodes()
   }
 }

@@ -40,10 +40,10 @@ class OwnLog {
     this.bench = new Bench(this.figure, this.forms.box, {
       change: this.forms.change,
       follow: () => this.forms.follow(),
-      reread: {
-        may: () => this.held !== undefined && this.set === this.held,
-        take: (corrections) => this.reread({ corrections }),
-      },
+      fit: this.forms.fitTogether,
+      stop: this.forms.stopFit,
+      may: () => this.held !== undefined && this.set === this.held,
+      reread: (corrections) => this.reread({ corrections }),
     })
     this.forms.keep = (patch, before) => this.bench.mend.keep(patch, before)
     this.report = new Report(report, {

@@ -1,10 +1,12 @@
 //! The fit of a log's noise and delays, which a worker goes on with replay by replay.
 
+use crate::decode::Arg;
 use crate::encode::{list, record};
 use crate::errors::Thrown;
 use crate::lab::RobotLog;
 use crate::object::Held;
 use crate::robot_log::logged;
+use estimate::Error;
 use estimate::drive::{FitResult, Fitted};
 use js_sys::Array;
 use lab::Params;
@@ -27,13 +29,14 @@ export interface LogFound {
     }[];
     /** The log-likelihood of the counted readings before and after. */
     logLikelihood: [number, number];
-    /** How many readings are counted. */
+    /** How many readings are counted, and how many of them are taken for outliers; null where no gate is on. */
     readings: number;
+    outliers: number | null;
     /** Replays so far, and how many there may be at most. */
     replays: [number, number];
     /** Whether the search has ended where no step leads up. */
     settled: boolean;
-    /** How many of the counted readings lie far out, and which share is expected to: more have bent the fit. */
+    /** How many of the other readings lie far out, and which share is expected to: more have bent the fit. */
     beyond: number;
     expected: number;
     /** The mean distance of a second in which the robot drives, metres: what σ of the distance is held against. */
@@ -44,8 +47,8 @@ export interface LogFound {
 "#;
 
 /// A search for the σ, the delays, the scale and the offset of ranges, and the offsets of bearings and headings under
-/// which a log's readings are likeliest. Gates are off, the turn rate's delay is 0, and the readings are the same in
-/// every replay.
+/// which a log's readings are likeliest. Where a gate is on, a reading that is likelier an outlier is taken for one,
+/// whatever the gate's level. The turn rate's delay is 0, and the readings are the same in every replay.
 #[wasm_bindgen]
 #[repr(transparent)]
 pub struct LogFit(Held);
@@ -54,15 +57,19 @@ const FIT: &str = "LogFit";
 
 #[wasm_bindgen]
 impl LogFit {
-    /// A search that begins at `params`; what they leave out takes its default.
+    /// A search that begins at `params`; what they leave out takes its default. `only` names the numbers to look for,
+    /// as far as the log may tell them.
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "DriveLog")] log: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Partial<LogParams>")] params: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "string[]")] only: &JsValue,
     ) -> Result<LogFit, Thrown> {
         let log = logged(log)?;
         let params = RobotLog::params(params)?;
-        let fit = labs::LogFit::new(Arc::clone(&log), Params::read(&mut params.iter()));
+        let only = Arg::new(only, "only");
+        let only = if only.is_undefined() { None } else { Some(only.every(Fitted::ALL.len(), number_of)?) };
+        let fit = labs::LogFit::new(Arc::clone(&log), Params::read(&mut params.iter()), only.as_deref());
         Ok(Self(Held::new(FIT, fit.map_err(|e| e.within("params"))?)))
     }
 
@@ -76,6 +83,10 @@ impl LogFit {
     pub fn found(&self) -> Result<JsValue, Thrown> {
         self.0.read(FIT, |fit: &labs::LogFit| shown(&fit.found()))
     }
+}
+
+fn number_of(arg: &Arg<'_>) -> Result<Fitted, Error> {
+    Ok(Fitted::ALL[arg.word(&Fitted::ALL.map(Fitted::name))?])
 }
 
 fn shown(found: &FitResult) -> JsValue {
@@ -93,6 +104,7 @@ fn shown(found: &FitResult) -> JsValue {
         ("numbers", numbers.collect::<Array>().into()),
         ("logLikelihood", list(&found.log_likelihood)),
         ("readings", found.readings.into()),
+        ("outliers", found.outliers.map_or(JsValue::NULL, Into::into)),
         ("replays", list(&found.replays.map(f64::from))),
         ("settled", found.settled.into()),
         ("beyond", found.beyond.into()),

@@ -26,10 +26,14 @@ export class Asking extends Player {
     return this.port.ask({ kind: 'table', params: this.asked ?? this.frame.params, table })
   }
 
-  /** The σ and the delays under which the log's readings are likeliest. @returns {Promise<any>} */
-  fit() {
+  /**
+   * The σ and the delays under which the log's readings are likeliest, or only those of these names.
+   * @param {{ only?: string[], from?: Record<string, unknown> }} [wish] `from`, settings for the search alone
+   * @returns {Promise<any>}
+   */
+  fit({ only, from } = {}) {
     this.stop('map')
-    return this.port.ask({ kind: 'fit', params: this.asked ?? this.frame.params })
+    return this.port.ask({ kind: 'fit', params: { ...(this.asked ?? this.frame.params), ...from }, only })
   }
 
   /**

@@ -42,11 +42,11 @@ export class Searching {
    * The fit of noise and delays.
    * @param {any} module with `LogFit`
    * @param {any} log
-   * @param {any} params where the search begins
+   * @param {{ params: any, only?: string[] }} wish where the search begins, and what it looks for where that is said
    * @returns {Promise<any>} `{ kind: 'fit', found }`, or `{ kind: 'no-fit', message }`
    */
-  fit(module, log, params) {
-    return this.search(() => new module.LogFit(log, params), FIT)
+  fit(module, log, { params, only }) {
+    return this.search(() => new module.LogFit(log, params, only), FIT)
   }
 
   /**

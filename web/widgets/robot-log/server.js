@@ -9,8 +9,9 @@
  *   been read, what was said of them
  * - `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'`, or the log itself as `'log'`:
  *   `{ kind: 'table', text }`, a `Blob` of CSV, or `{ kind: 'no-table', message }`
- * - `{ kind: 'fit', params }`: `{ kind: 'fit', found }` or `{ kind: 'no-fit', message }`; on the way
- *   `{ kind: 'fitting', done, of }` is told; told `{ kind: 'stop-fit' }` it ends
+ * - `{ kind: 'fit', params, only }`, of the numbers of these names alone where some are given: `{ kind: 'fit', found }`
+ *   or `{ kind: 'no-fit', message }`; on the way `{ kind: 'fitting', done, of }` is told; told
+ *   `{ kind: 'stop-fit' }` it ends
  * - `{ kind: 'map', params, from, across, up }`: `{ kind: 'map' }` or `{ kind: 'no-map', message }`; on the way each
  *   row is told as `{ kind: 'mapped', row, values }`; told `{ kind: 'stop-map' }` it ends
  * - `{ kind: 'verdict', params }`: `{ kind: 'verdict', found }` or `{ kind: 'no-verdict', message }`; on the way
@@ -101,7 +102,7 @@ export class Server {
     const { kind, set, files, change } = message
     if (kind === 'table') return tableOf(this.module, this.log, message, this.soon)
     if (kind === 'map') return this.mapping.map(this.module, this.log, message)
-    if (kind === 'fit') return this.fitting.fit(this.module, this.log, message.params)
+    if (kind === 'fit') return this.fitting.fit(this.module, this.log, message)
     if (kind === 'verdict') return this.judging.judge(this.module, this.log, message.params)
     if (kind === 'files') this.said = await this.open(files, set)
     // A change of files that are gone changes nothing of those that came meanwhile.

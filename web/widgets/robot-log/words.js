@@ -1,7 +1,8 @@
 /** What the figure of a log says: each sentence follows from the numbers of the frame. */
 
 import { fixed } from '../../draw/numbers.js'
-import { named, ranked } from './verdict.js'
+import { unsettledWords } from './unsettled.js'
+import { ranked } from './verdict.js'
 
 /**
  * @typedef {import('estimate-wasm').LogFrame & {
@@ -60,18 +61,6 @@ export function unread(frame) {
  */
 export const expecting = (frame, expected) => (listens(frame) ? unread(frame) : expected)
 
-/**
- * That a σ which the verdict names is none that anybody has said of this log.
- * @param {NonNullable<Frame['judgement']>} judgement @param {import('estimate-wasm').Parameter[]} known
- */
-function begun(judgement, known) {
-  const usual = (/** @type {string | null} */ of) => known.find(({ name }) => name === of)?.default
-  const begins = named(judgement).some(
-    ({ fault, name, claims, sizes }) => fault === 'sigma' && !claims && usual(name) === sizes[0]?.now,
-  )
-  return begins ? ' That σ is the one with which the page begins, whatever the log is.' : ''
-}
-
 /** @param {Frame} frame */
 export function verdict(frame) {
   const { step, summary } = frame
@@ -83,9 +72,12 @@ export function verdict(frame) {
   if (used + refused === 0) return `No ${noun(frame)} has been read yet.${errorOf(frame, false)}`
   if (used === 0)
     return `The gate has refused every ${noun(frame)} so far: this is dead reckoning.${errorOf(frame, false)}`
-  const { judgement, judging, rows, truth } = frame
+  const { judgement, judging, rows, truth, params, known = [] } = frame
   const told = judgement
-    ? [` ${ranked(judgement, { rows, truth: Boolean(truth), log: frame.log })}`, begun(judgement, frame.known ?? [])]
+    ? [
+        ` ${ranked(judgement, { rows, truth: Boolean(truth), log: frame.log })}`,
+        unsettledWords(judgement, params, known),
+      ]
     : judging
       ? [' Still looking for what may be wrong …']
       : [meanOf(frame), nisOf(frame), lagOf(frame)]

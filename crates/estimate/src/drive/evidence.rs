@@ -109,14 +109,19 @@ fn far(d2: f64, p: f64) -> f64 {
     if share <= p { share } else { p + p * libm::log(share / p) }
 }
 
-/// A reading that can be compared; behind a gate it may be an outlier.
-fn weighed(row: u32, judged: &Judged, gated: bool) -> Option<Weighed> {
+/// How likely a reading is. Behind a gate it may be an outlier, and is taken for one where it is refused.
+pub(crate) fn log_likelihood_of(judged: &Judged, gated: bool) -> f64 {
     let p = f64::from(judged.outputs);
-    let log_likelihood = match (gated, judged.used) {
+    match (gated, judged.used) {
         (false, _) => judged.log_likelihood(),
         (true, true) => judged.log_likelihood() + libm::log(1.0 - OUTLIERS),
         (true, false) => libm::log(OUTLIERS) - 0.5 * (judged.log_det + 2.0 * p * libm::log(WIDE) + far(judged.d2, p)),
-    };
+    }
+}
+
+/// A reading that can be compared.
+fn weighed(row: u32, judged: &Judged, gated: bool) -> Option<Weighed> {
+    let log_likelihood = log_likelihood_of(judged, gated);
     let reading = Weighed { row, sensor: judged.sensor, used: judged.used, log_likelihood, white: judged.white };
     log_likelihood.is_finite().then_some(reading)
 }

@@ -3,14 +3,21 @@
 //! The search moves one number after the other, and on along the way that a round has led, by steps that grow while
 //! they lead up and shrink where neither way does (Hooke and Jeeves 1961). Where all are fine it begins again with long
 //! ones, until that leads up no more. Derivatives are of no use: where a delay passes a row, the likelihood has a
-//! corner. Gates are off, since a sum over used readings rewards refusal, and the readings are the same ones in every
-//! replay: those stamped two seconds after the latest start that is tried.
+//! corner. The readings are the same ones in every replay: those stamped two seconds after the latest start that is
+//! tried. Where a gate is on, whatever its level, a reading that is likelier an outlier is taken for one, as a verdict
+//! takes it: a sum over used readings alone would reward refusal. A gate that refuses much where the search begins is
+//! off until the search has come to an end without it, since what it refuses need not be outliers. At last the search
+//! goes on with the other readings alone, of which it is asked, too, how well the log tells what was found: the
+//! likelihood of all has a step where one becomes an outlier.
 
 use crate::drive::course::Course;
+use crate::drive::evidence::OUTLIER_GATE;
+use crate::drive::fit_result::FitResult;
 use crate::drive::fitted::Fitted;
 use crate::drive::flat::flat;
+use crate::drive::gates::MUCH;
 use crate::drive::judgement::period;
-use crate::drive::likelihood::{beyond, log_likelihood};
+use crate::drive::likelihood::{beyond, with_outliers, without_outliers};
 use crate::drive::moves::Moves;
 use crate::drive::pace::pace;
 use crate::drive::row::{Drive, Event};
@@ -27,7 +34,7 @@ const MOST_DELAY: f64 = 3.0;
 const SHARE: f64 = 0.1;
 /// Readings are held against what holds all but this share of them.
 const EXPECTED: f64 = 0.001;
-/// The most replays of the search itself.
+/// The most replays of a search.
 const MOST_REPLAYS: u32 = 1200;
 /// A search that has risen by no more than this since it last began is at its end.
 const RISEN: f64 = 0.2;
@@ -37,38 +44,12 @@ pub(crate) fn most_delay(duration: f64) -> f64 {
     MOST_DELAY.min(SHARE * duration)
 }
 
-/// What a fit has found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FitResult {
-    /// Each number: what it is, its value, and its standard deviation, relative of a σ, else in the number's unit.
-    /// `None` where the log does not tell it.
-    pub numbers: Vec<(Fitted, f64, Option<f64>)>,
-    /// The log-likelihood of the counted readings before and after.
-    pub log_likelihood: [f64; 2],
-    /// How many readings are counted.
-    pub readings: u32,
-    /// Replays so far, and how many there may be at most.
-    pub replays: [u32; 2],
-    /// Whether the search has ended where no step leads up, and not at the most replays.
-    pub settled: bool,
-    /// How many of the counted readings lie where this share of them is expected under what was found: more are
-    /// outliers, which have bent it. 0 before the search has ended.
-    pub beyond: u32,
-    /// That share.
-    pub expected: f64,
-    /// The mean distance of a second in which the robot drives, m: a σ of the distance that is a good part of it, in
-    /// m/√s, is more than noise.
-    pub pace: f64,
-    /// The median time between rows of motion, s: a delay of at most half of it may be the motion model's own.
-    pub period: f64,
-    /// Delays of a log of odometry, from where to where its likelihood is the same.
-    pub flat: Vec<(Fitted, [f64; 2])>,
-}
-
 /// A search for the noise and the delays under which a log's readings are likeliest.
 #[derive(Clone, Debug)]
 pub struct Fit {
     settings: Settings,
+    /// Where the search began, while gates are off until it ends without them.
+    later: Option<Vec<f64>>,
     pace: f64,
     period: f64,
     /// Readings stamped before are not counted.
@@ -83,7 +64,16 @@ pub struct Fit {
     first: Option<f64>,
     best: f64,
     readings: u32,
+    outliers: u32,
+    /// What the outliers add to the log-likelihood, once the search goes on without them.
+    of_outliers: f64,
+    /// The gates behind which outliers are looked for.
+    gates: BySensor<Option<f64>>,
+    /// The drive without its outliers, once they are known.
+    clean: Option<Drive>,
     replays: u32,
+    /// The most replays before this search ends.
+    until: u32,
     settled: bool,
     /// How well the log tells the numbers, once they are found.
     told: Option<Told>,
@@ -114,7 +104,7 @@ impl Fit {
     }
 
     fn begin(drive: &Drive, settings: Settings, which: impl Fn(&Drive, &Course) -> Vec<Fitted>) -> Result<Self, Error> {
-        let mut settings = Settings { gate: BySensor::all(None), ..settings };
+        let mut settings = Settings { gate: settings.gate.map(|gate| gate.map(|_| OUTLIER_GATE)), ..settings };
         settings.delays.turn = 0.0;
         let course = Course::new(drive, settings)?;
         let [first, last] = drive.span().unwrap_or_default();
@@ -127,6 +117,7 @@ impl Fit {
         let start = drive.truth.poses().first().map_or(first + most, |pose| pose.time);
         let mut fit = Self {
             settings,
+            later: None,
             pace: pace(drive, &settings),
             period: period(&drive.rows),
             from: start + SETTLED,
@@ -138,7 +129,12 @@ impl Fit {
             first: None,
             best: f64::NEG_INFINITY,
             readings: 0,
+            outliers: 0,
+            of_outliers: 0.0,
+            gates: settings.gate,
+            clean: None,
             replays: 0,
+            until: MOST_REPLAYS,
             settled: false,
             told: None,
             beyond: 0,
@@ -148,7 +144,7 @@ impl Fit {
         if let (Some(fix), true) = (fix, drive.truth.poses().is_empty()) {
             fit.from = fit.from.max(fix.time + most + SETTLED);
         }
-        if fit.numbers.is_empty() || fit.replay(drive, &fit.at)?.1 == 0 {
+        if fit.numbers.is_empty() || fit.replay(drive, &fit.at)?.1[0] == 0 {
             return Err(Error::new(Code::Limit, "log", "has no reading that a fit could count"));
         }
         Ok(fit)
@@ -165,7 +161,8 @@ impl Fit {
                 return Ok(false);
             };
             self.replays += 1;
-            let value = self.replay(drive, &at).map_or(f64::NEG_INFINITY, |(value, _)| value);
+            let clean = self.clean.as_ref().unwrap_or(drive);
+            let value = self.replay(clean, &at).map_or(f64::NEG_INFINITY, |(value, _)| value);
             if let Some(told) = &mut self.told {
                 told.take(value);
             }
@@ -173,13 +170,19 @@ impl Fit {
         }
         self.replays += 1;
         if self.first.is_none() {
-            let (value, readings) = self.replay(drive, &self.at)?;
+            let (value, [readings, outliers]) = self.replay(drive, &self.at)?;
             (self.first, self.best, self.readings) = (Some(value), value, readings);
+            if f64::from(outliers) > MUCH * f64::from(readings) {
+                self.later = Some(self.at.clone());
+                self.settings.gate = BySensor::all(None);
+                self.best = self.replay(drive, &self.at)?.0;
+            }
             return Ok(true);
         }
         // What leaves the numbers is no likelihood that could be the greatest.
+        let clean = self.clean.as_ref().unwrap_or(drive);
         let better = self.moves.next(&self.at).and_then(|tried| {
-            let value = self.replay(drive, &tried).map_or(f64::NEG_INFINITY, |it| it.0);
+            let value = self.replay(clean, &tried).map_or(f64::NEG_INFINITY, |it| it.0);
             (value > self.best).then_some((tried, value))
         });
         let up = better.is_some();
@@ -192,10 +195,41 @@ impl Fit {
             self.began = self.best;
             self.moves.again(&self.at);
         }
-        if self.settled || self.replays >= MOST_REPLAYS {
+        if !self.settled && self.replays < self.until {
+            return Ok(true);
+        }
+        if let Some(began) = self.later.take() {
+            self.put_back(drive, began)?;
+        } else if self.settings.gate != BySensor::all(None) {
+            let clean = without_outliers(drive, self.set_to(&self.at))?;
+            self.outliers = self.replay(drive, &self.at)?.1[1];
+            self.settings.gate = BySensor::all(None);
+            let value = self.replay(&clean, &self.at)?.0;
+            self.of_outliers = self.best - value;
+            self.clean = Some(clean);
+            self.again(value);
+        } else {
             self.told = Some(Told::new(&self.numbers, &self.bounds, self.best));
         }
         Ok(true)
+    }
+
+    /// Goes on behind the gates from what was found without them, or from the start where that is likelier.
+    fn put_back(&mut self, drive: &Drive, began: Vec<f64>) -> Result<(), Error> {
+        self.settings.gate = self.gates;
+        let (first, value) = (self.first.unwrap_or(f64::NEG_INFINITY), self.replay(drive, &self.at)?.0);
+        if value < first {
+            self.at = began;
+        }
+        self.again(value.max(first));
+        Ok(())
+    }
+
+    /// Begins another search from where the last one has ended, by a likelihood that is so much there.
+    fn again(&mut self, value: f64) {
+        (self.best, self.began, self.settled) = (value, f64::NEG_INFINITY, false);
+        self.until = self.replays + MOST_REPLAYS;
+        self.moves.again(&self.at);
     }
 
     /// Looks for outliers, and for delays that the log tells in stairs, once.
@@ -203,27 +237,31 @@ impl Fit {
         if self.flat.is_some() {
             return Ok(());
         }
-        let mut settings = self.settings;
-        self.numbers.iter().zip(&self.at).for_each(|(number, at)| number.set(&mut settings, *at));
-        [self.beyond, _] = beyond(drive, settings, self.from, 1.0 - EXPECTED)?;
+        let clean = self.clean.as_ref().unwrap_or(drive);
+        let [beyond, _] = beyond(clean, self.set_to(&self.at), self.from, 1.0 - EXPECTED)?;
         let stair = |(i, number): (usize, &Fitted)| {
             let value = |to: f64| {
                 let mut at = self.at.clone();
                 at[i] = to;
-                self.replay(drive, &at).ok().map(|it| it.0)
+                self.replay(clean, &at).ok().map(|it| it.0)
             };
-            Some((*number, flat(drive, self.at[i], value)?))
+            Some((*number, flat(clean, self.at[i], value)?))
         };
         let delays = self.numbers.iter().enumerate().filter(|(_, number)| number.is_delay());
-        self.flat = Some(delays.filter_map(stair).collect());
+        (self.flat, self.beyond) = (Some(delays.filter_map(stair).collect()), beyond);
         Ok(())
     }
 
-    /// The log-likelihood of the counted readings, and how many there are.
-    fn replay(&self, drive: &Drive, at: &[f64]) -> Result<(f64, u32), Error> {
+    /// The settings with the numbers at these places.
+    fn set_to(&self, at: &[f64]) -> Settings {
         let mut settings = self.settings;
         self.numbers.iter().zip(at).for_each(|(number, at)| number.set(&mut settings, *at));
-        log_likelihood(drive, settings, self.from)
+        settings
+    }
+
+    /// The log-likelihood of the counted readings, how many there are, and how many of them are outliers.
+    fn replay(&self, drive: &Drive, at: &[f64]) -> Result<(f64, [u32; 2]), Error> {
+        with_outliers(drive, self.set_to(at), self.from)
     }
 
     /// What has been found so far.
@@ -231,11 +269,13 @@ impl Fit {
         let sigmas = self.told.as_ref().map(Told::sigmas);
         let sigma = |i: usize| sigmas.as_ref().and_then(|sigmas| sigmas[i]);
         let number = |(i, number): (usize, &Fitted)| (*number, number.value(self.at[i]), sigma(i));
-        let most = MOST_REPLAYS + Told::most(self.numbers.len());
+        let further = if self.gates == BySensor::all(None) || self.clean.is_some() { 0 } else { MOST_REPLAYS };
+        let most = self.until + further + Told::most(self.numbers.len());
         FitResult {
             numbers: self.numbers.iter().enumerate().map(number).collect(),
-            log_likelihood: [self.first.unwrap_or(self.best), self.best],
+            log_likelihood: [self.first.unwrap_or(self.best), self.best + self.of_outliers],
             readings: self.readings,
+            outliers: (self.gates != BySensor::all(None)).then_some(self.outliers),
             replays: [self.replays, most],
             settled: self.settled,
             beyond: self.beyond,

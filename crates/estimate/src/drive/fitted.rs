@@ -54,6 +54,29 @@ pub enum Fitted {
 const SIGMAS: [f64; 2] = [1e-4, 1e3];
 
 impl Fitted {
+    /// All of them.
+    pub const ALL: [Self; 19] = [
+        Self::SigmaDistance,
+        Self::SigmaTurn,
+        Self::SigmaFix,
+        Self::SigmaHeading,
+        Self::FixSigmaScale,
+        Self::HeadingSigmaScale,
+        Self::SigmaRange,
+        Self::SigmaBearing,
+        Self::DelaySpeed,
+        Self::DelayTurn,
+        Self::DelayFix,
+        Self::DelayHeading,
+        Self::DelaySighting,
+        Self::Scale,
+        Self::Offset,
+        Self::BearingOffset,
+        Self::HeadingOffset,
+        Self::SpeedScale,
+        Self::TurnBias,
+    ];
+
     /// The least σ that is tried.
     pub(crate) const LEAST: f64 = SIGMAS[0];
 

@@ -9,7 +9,7 @@ use crate::drive::suspect::Tried;
 use alloc::vec::Vec;
 
 /// A gate that refuses more than this share may hide a fault.
-const MUCH: f64 = 0.1;
+pub(crate) const MUCH: f64 = 0.1;
 
 /// What a verdict does with the gates.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! How likely a log is under some settings: what a search for noise levels and delays asks.
 
 use crate::drive::course::Course;
+use crate::drive::evidence::log_likelihood_of;
 use crate::drive::replay::Replay;
 use crate::drive::row::Drive;
 use crate::drive::settings::Settings;
@@ -40,6 +41,40 @@ pub fn log_likelihood(drive: &Drive, settings: Settings, from: f64) -> Result<(f
         }
     }
     Ok((sum, used))
+}
+
+/// The log-likelihood of all readings that are stamped `from` or later, s, where those that a gate refuses are taken
+/// for outliers, as a verdict takes them; how many they are, and how many of them are refused.
+///
+/// # Errors
+/// As [`log_likelihood`].
+pub(crate) fn with_outliers(drive: &Drive, settings: Settings, from: f64) -> Result<(f64, [u32; 2]), Error> {
+    let course = Course::new(drive, settings)?;
+    let mut replay = Replay::new(&course);
+    let (mut sum, mut counts) = (0.0, [0, 0]);
+    while let Some(taken) = replay.take(drive, &course)? {
+        if let Some(judged) = taken.judged.filter(|_| drive.rows[taken.row].time >= from) {
+            let gated = course.gates().of(judged.sensor).is_some();
+            sum += log_likelihood_of(&judged, gated);
+            counts = [counts[0] + 1, counts[1] + u32::from(!judged.used)];
+        }
+    }
+    Ok((sum, counts))
+}
+
+/// A drive without the readings that the gates refuse.
+///
+/// # Errors
+/// As [`log_likelihood`].
+pub(crate) fn without_outliers(drive: &Drive, settings: Settings) -> Result<Drive, Error> {
+    let course = Course::new(drive, settings)?;
+    let mut replay = Replay::new(&course);
+    let mut kept = alloc::vec![true; drive.rows.len()];
+    while let Some(taken) = replay.take(drive, &course)? {
+        kept[taken.row] = taken.judged.is_none_or(|judged| judged.used);
+    }
+    let rows = drive.rows.iter().zip(kept).filter_map(|(row, kept)| kept.then_some(*row)).collect();
+    Ok(Drive { rows, ..drive.clone() })
 }
 
 /// How many of the used readings that are stamped `from` or later, s, lie beyond what holds `share` of them if the

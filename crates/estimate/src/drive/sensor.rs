@@ -96,6 +96,11 @@ impl<T: Copy> BySensor<T> {
     pub fn all(value: T) -> Self {
         Self { fix: value, heading: value, range: value, bearing: value }
     }
+
+    /// What becomes of each.
+    pub fn map<U>(self, of: impl Fn(T) -> U) -> BySensor<U> {
+        BySensor { fix: of(self.fix), heading: of(self.heading), range: of(self.range), bearing: of(self.bearing) }
+    }
 }
 
 impl<T: PartialEq> BySensor<T> {

@@ -2,7 +2,7 @@
 
 use super::{LogParams, LoggedDrive};
 use estimate::Error;
-use estimate::drive::{Fit, FitResult, Settings};
+use estimate::drive::{Fit, FitResult, Fitted, Settings};
 use lab::Params;
 use std::sync::Arc;
 
@@ -14,13 +14,14 @@ pub struct LogFit {
 }
 
 impl LogFit {
-    /// A search that begins at `params`.
+    /// A search that begins at `params`, for the usual numbers or for `only` these.
     ///
     /// # Errors
-    /// As [`Fit::new`], and where a parameter is out of its limits.
-    pub fn new(logged: Arc<LoggedDrive>, params: LogParams) -> Result<Self, Error> {
+    /// As [`Fit::new`] and [`Fit::only`], and where a parameter is out of its limits.
+    pub fn new(logged: Arc<LoggedDrive>, params: LogParams, only: Option<&[Fitted]>) -> Result<Self, Error> {
         params.check()?;
-        let fit = Fit::new(logged.drive(), Settings::from(params))?;
+        let (drive, settings) = (logged.drive(), Settings::from(params));
+        let fit = only.map_or_else(|| Fit::new(drive, settings), |only| Fit::only(drive, settings, only))?;
         Ok(Self { logged, fit })
     }
 

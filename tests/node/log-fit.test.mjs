@@ -1,0 +1,84 @@
+// What a fit of a log has found, in words, and what of it is taken.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import {
+  bentBy,
+  delaysAreOfModel,
+  isAsSet,
+  isOfModel,
+  rises,
+  sentence as fitted,
+  whyAsSet,
+} from '../../web/page/log-fit-words.js'
+
+const MOTION = { pace: 1, period: 0.1 }
+
+test('what a fit has found has as many digits as it is known to', () => {
+  const number = (name, value, sigma, relative = false) => fitted({ name, value, sigma, relative, flat: null }, MOTION)
+  assert.equal(number('delayFix', 0.38547, 0.00134), 'delay of the positions, s: 0.3855 ± 0.0013')
+  assert.equal(number('delayFix', 0.399941, 0.0000202), 'delay of the positions, s: 0.399941 ± 0.000020')
+  assert.equal(number('sigmaFix', 0.029967, 0.01342, true), 'σ of a position, m: 0.02997 ± 1.3 %')
+  assert.equal(number('headingOffset', 0.2, 0.0025), 'offset of the headings, °: 11.46 ± 0.14')
+  assert.equal(number('offset', -12.3, 25), 'offset of the ranges, m: −12 ± 25')
+  assert.match(number('scale', 0.03, null), /does not tell it/)
+  const stair = fitted({ name: 'delayFix', value: 0.317, sigma: 0.025, relative: false, flat: [0.3, 0.4] }, MOTION)
+  const short = { name: 'delaySighting', value: -0.0108, sigma: 0.0023, relative: false, flat: null }
+  const own = /: −0\.0108 ± 0\.0023: less than half a step of 0\.100 s .* the motion model’s own, and not taken$/
+  assert.match(fitted(short, MOTION), own)
+  assert.deepEqual([isOfModel(short, 0.1), isOfModel(short, 0.02)], [true, false])
+  // What is late against another is told: short delays beside a longer one are taken with it.
+  const late = { ...short, name: 'delayFix', value: 0.42 }
+  assert.deepEqual([delaysAreOfModel([short], 0.1), delaysAreOfModel([short, late], 0.1)], [true, false])
+  assert.match(stair, /^delay of the positions, s: 0\.30 to 0\.40, all alike: the log has no row of motion in between$/)
+})
+
+test('a fit that outliers have bent says so, and a sound one does not', () => {
+  /** @param {number} beyond @param {number} readings @param {number | null} [outliers] */
+  const bent = (beyond, readings, outliers = null) => bentBy({ beyond, expected: 0.001, readings, outliers })
+  const words = /^2\.0 % of these readings lie beyond what should hold 99\.9 % of them: outliers .* Switch on the gate/
+  assert.match(bent(40, 2000), words)
+  assert.equal(bent(4, 2000), '')
+  assert.equal(bent(3, 100), '', 'few readings say nothing')
+  assert.match(bent(40, 2100, 100), words, 'of the readings that are left')
+  assert.match(bent(0, 2000, 1001), /^Most readings count as outliers/)
+  assert.equal(bent(0, 2000, 999), '')
+})
+
+test('a fit says how many readings it has left out, and no sum that is on no other place of the page', () => {
+  /** @type {Parameters<typeof rises>[0]} */
+  const found = { logLikelihood: [-100, -60], readings: 2000, outliers: null, settled: true }
+  assert.equal(rises(found), 'The log-likelihood of 2,000 readings rises by 40.0, to −60.0.')
+  /** @param {number} outliers */
+  const behind = (outliers, settled = true) => rises({ ...found, outliers, settled })
+  const rise = 'The log-likelihood of 2,000 readings rises by 40.0.'
+  assert.equal(behind(0), `${rise} None is an outlier.`)
+  assert.equal(behind(1), `${rise} 1 (0.05 %) is an outlier and was left out.`)
+  assert.equal(
+    behind(100, false),
+    `${rise} 100 (5.0 %) are outliers and were left out. The search was ended before it settled.`,
+  )
+})
+
+test('what a fit tells by less than twice its ± from what is set stays, and a σ is always taken', () => {
+  const number = (more) => ({ name: 'delayFix', value: -0.06, relative: false, sigma: 0.035, flat: null, ...more })
+  const late = { delayFix: 0 }
+  assert.equal(isAsSet(number({}), late), true)
+  assert.equal(isAsSet(number({ value: 0.64 }), late), false)
+  assert.equal(isAsSet(number({}), { delayFix: 0.64 }), false)
+  assert.equal(isAsSet(number({ sigma: null }), late), false, 'it is not told at all')
+  const sigma = number({ name: 'sigmaFix', value: 1, relative: true })
+  assert.equal(isAsSet(sigma, { sigmaFix: 1 }), false)
+  // A likelihood may have a top where nothing is late: where the verdict finds no fault, no delay is taken.
+  assert.match(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, true), /finds no fault, so it stays/)
+  assert.equal(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, false), '')
+  assert.equal(whyAsSet(sigma, { sigmaFix: 3 }, true), '')
+})
+
+test('a delay that its ± tells less well than the rows of motion has its ±', () => {
+  /** @type {import('estimate-wasm').LogFound['numbers'][number]} */
+  const number = { name: 'delayFix', value: 0.65, relative: false, sigma: 0.04, flat: [0.64, 0.66] }
+  const motion = { pace: 1, period: 0 }
+  assert.match(fitted(number, motion), /^delay of the positions, s: 0\.650 ± 0\.040$/)
+  assert.match(fitted({ ...number, sigma: 0.005 }, motion), /0\.64 to 0\.66, all alike/)
+  assert.match(fitted({ ...number, sigma: null }, motion), /0\.64 to 0\.66, all alike/)
+})

@@ -1,0 +1,147 @@
+/** What a fit of a log has found, in words, and what of it is taken. */
+
+import { fixed } from '../draw/numbers.js'
+import { isStair } from '../widgets/robot-log/sized.js'
+import { hides } from '../widgets/robot-log/sigmas.js'
+import { kind, named } from '../widgets/robot-log/verdict.js'
+import { percent } from '../widgets/robot-log/words.js'
+import { grouped } from './log-likelihood.js'
+
+/** @typedef {import('estimate-wasm').LogFound} LogFound */
+
+/** @type {Record<string, string>} */
+const NAMES = {
+  sigmaDistance: 'σ of the distance, m/√s',
+  sigmaTurn: 'σ of the turn, rad/√s',
+  sigmaFix: 'σ of a position, m',
+  fixSigmaScale: 'factor on the positions’ own σ',
+  sigmaHeading: 'σ of a heading, rad',
+  headingSigmaScale: 'factor on the headings’ own σ',
+  sigmaRange: 'σ of a range, m',
+  sigmaBearing: 'σ of a bearing, rad',
+  delaySpeed: 'delay of the speed, s',
+  delayFix: 'delay of the positions, s',
+  delayHeading: 'delay of the headings, s',
+  delaySighting: 'delay of the ranges, s',
+  scale: 'scale ε of the ranges',
+  offset: 'offset of the ranges, m',
+  bearingOffset: 'offset of the bearings, °',
+  headingOffset: 'offset of the headings, °',
+}
+
+/** As they are set: six digits are enough for each. @param {LogFound['numbers']} numbers */
+export const rounded = (numbers) =>
+  Object.fromEntries(numbers.map(({ name, value }) => [name, Number(value.toPrecision(6))]))
+
+/**
+ * What a verdict names and Fit does not look for: its error would go into what Fit finds.
+ * @param {import('estimate-wasm').LogJudgement | null} judgement
+ */
+export function mendBefore(judgement) {
+  const [fault] = judgement ? named(judgement) : []
+  if (!fault || NAMES[fault.name ?? '']) return ''
+  return (
+    `The verdict names ${kind(fault)}, which Fit does not look for: mend that before, or it makes ` +
+    'each σ come out too large.'
+  )
+}
+
+/** What has come of a fit. @param {Pick<LogFound, 'logLikelihood' | 'readings' | 'outliers' | 'settled'>} found */
+export function rises({ logLikelihood: [before, after], readings, outliers, settled }) {
+  const all = readings.toLocaleString('en')
+  const gain = grouped(after - before)
+  const ended = settled ? '' : ' The search was ended before it settled.'
+  // What is said of outliers is part of that sum, and of no other on the page.
+  if (outliers === null) return `The log-likelihood of ${all} readings rises by ${gain}, to ${grouped(after)}.${ended}`
+  const are = outliers > 1 ? 'are outliers and were left out' : 'is an outlier and was left out'
+  const out =
+    outliers === 0 ? 'None is an outlier' : `${outliers.toLocaleString('en')} (${percent(outliers / readings)}) ${are}`
+  return `The log-likelihood of ${all} readings rises by ${gain}. ${out}.${ended}`
+}
+
+/** A fit that leaves more than this share of the readings out has none to go by. */
+const MOST_OUT = 0.5
+
+/**
+ * What has bent a fit: outliers of sensors without a gate, or a gate that refuses most.
+ * @param {Pick<LogFound, 'beyond' | 'expected' | 'readings' | 'outliers'>} found
+ */
+export function bentBy({ beyond, expected, readings, outliers }) {
+  if ((outliers ?? 0) > MOST_OUT * readings)
+    return 'Most readings count as outliers, so something else is wrong, and nothing of it can be taken.'
+  const used = readings - (outliers ?? 0)
+  if (!(beyond > 5 * expected * used && beyond > expected * used + 5)) return ''
+  return (
+    `${percent(beyond / used)} of these readings lie beyond what should hold ` +
+    `${fixed(100 * (1 - expected), 1)} % of them: ` +
+    'outliers have bent the fit: each σ comes out too large, and a delay may be anything. Nothing of it can be ' +
+    'taken. Switch on the gate of the sensor that has them, and Fit leaves them out.'
+  )
+}
+
+/**
+ * Whether a delay is so short that it may be the motion model’s own, which holds what it reads for a step: it is not
+ * taken.
+ * @param {LogFound['numbers'][number]} number @param {number} period seconds between rows of motion
+ */
+export function isOfModel({ name, value, flat }, period) {
+  return name.startsWith('delay') && !flat && Math.abs(value) <= period / 2
+}
+
+/**
+ * Whether a number that is no σ is told from what is set by less than twice its ±: it stays as it is set.
+ * @param {LogFound['numbers'][number]} number @param {Record<string, any>} params
+ */
+export const isAsSet = ({ name, value, relative, sigma }, params) =>
+  !relative && sigma !== null && Math.abs(value - (params[name] ?? 0)) < 2 * sigma
+
+/**
+ * Why a number stays as it is set; empty where it does not.
+ * @param {LogFound['numbers'][number]} number @param {Record<string, any>} params
+ * @param {boolean} sound whether the verdict on what is set finds no fault
+ */
+export function whyAsSet(number, params, sound) {
+  if (isAsSet(number, params)) return AS_SET
+  return sound && !number.relative ? SOUND : ''
+}
+
+const AS_SET = ': what is set lies within twice that, and stays'
+const SOUND = ': the verdict on what is set finds no fault, so it stays; the likelihood may have several tops'
+export const BENT = ': bent by outliers, and not taken'
+
+/**
+ * Whether all delays may be the motion model’s own. Only what sensors are late against one another is told: where
+ * one is longer, all are taken, as they were found together.
+ * @param {LogFound['numbers']} numbers @param {number} period
+ */
+export function delaysAreOfModel(numbers, period) {
+  return numbers.every((number) => !number.name.startsWith('delay') || isOfModel(number, period))
+}
+
+/**
+ * How well the log tells a number, and what may hide in it.
+ * @param {LogFound['numbers'][number]} number
+ * @param {{ pace: number, period: number }} motion metres driven in a second, seconds between its rows; 0 where no
+ * delay is the model’s own
+ */
+export function sentence(number, { pace, period }) {
+  const { name, value, relative, sigma, flat } = number
+  const words = NAMES[name] ?? name
+  if (flat && isStair(flat, sigma))
+    return `${words}: ${fixed(flat[0], 2)} to ${fixed(flat[1], 2)}, all alike: the log has no row of motion in between`
+  if (sigma === null) return `${words}: the log does not tell it.`
+  const unit = words.endsWith('°') ? 180 / Math.PI : 1
+  const told = (relative ? value * sigma : sigma) * unit
+  const digits = decimalsOf(told)
+  const more = name === 'sigmaDistance' ? hides(value, pace) : ''
+  if (relative)
+    return `${words}: ${fixed(value, digits)} ± ${fixed(100 * sigma, sigma < 0.1 ? 1 : 0)} %${more && `. ${more}`}`
+  const own = isOfModel(number, period)
+    ? `: less than half a step of ${fixed(period, 3)} s between rows of motion, ` +
+      'which may be the motion model’s own, and not taken'
+    : ''
+  return `${words}: ${fixed(value * unit, digits)} ± ${fixed(told, digits)}${own}`
+}
+
+/** So many decimals that an uncertainty has two digits. @param {number} sigma */
+const decimalsOf = (sigma) => (sigma > 0 ? Math.max(0, Math.min(12, 1 - Math.floor(Math.log10(sigma)))) : 12)

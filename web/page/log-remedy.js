@@ -1,0 +1,108 @@
+/** What mends a fault that the verdict names, as its sentence says: a setting, a fit of several, or another reading. */
+
+import { factors } from '../widgets/robot-log/driven.js'
+import { rounded } from '../widgets/robot-log/sized.js'
+import { wrapped } from '../widgets/robot-log/start.js'
+import { counted, unsettled } from '../widgets/robot-log/unsettled.js'
+import { named } from '../widgets/robot-log/verdict.js'
+import { bySensor } from './log-numbers.js'
+
+/** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
+/** @typedef {import('estimate-wasm').LogSuspect} Suspect */
+/** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
+/**
+ * Settings, what is read otherwise, or the names of what is fitted.
+ * @typedef {{ press: string, patch?: Record<string, unknown>, corrections?: import('estimate-wasm').LogCorrections,
+ *   fit?: string[] }} Remedy
+ */
+
+/** What refuses outliers and next to nothing else. */
+export const GATE = 0.999
+const DEGREE = Math.PI / 180
+/** The delays of readings that come late together, in the order of their sizes. */
+const TOGETHER = ['delayFix', 'delayHeading', 'delaySighting']
+/** What the filter learns by itself, by the number that is off. @type {Record<string, string>} */
+const LEARNED = { turnBias: 'learnBias', speedScale: 'learnSpeed' }
+
+/**
+ * A size as its sentence says it, in the filter's unit.
+ * @param {Suspect['sizes'][number]} size @param {number} [times] what one of its units is in the sentence's
+ */
+const said = (size, times = 1) => Number((rounded(size, times) / times).toPrecision(12))
+
+/**
+ * What is read otherwise where landmarks or odometry are wrong; null where they are not, or a unit is.
+ * @param {Suspect} suspect @param {Frame['log']} log
+ * @returns {Remedy | null}
+ */
+function corrected({ fault, landmarks: ids, sizes }, log) {
+  if (!log?.corrections) return null
+  const { driven, landmarks: moved } = log.corrections
+  if (fault === 'odometry') {
+    if (sizes[0].end) return null
+    const [along, about = 1] = factors(sizes)
+    return { press: 'Take them so', corrections: { driven: [driven[0] * along, driven[1] * about], landmarks: moved } }
+  }
+  const at = (/** @type {number} */ id) => log.landmarks?.find((one) => one.id === id)
+  const [one, other = one] = ids ?? []
+  const [here, there] = [at(one), at(other)]
+  if (!here || !there) return null
+  const [x, y] = sizes.map((size) => said(size))
+  /** @type {[number, number, number][]} */
+  const places =
+    fault === 'displaced'
+      ? [[one, x, y]]
+      : [
+          [one, there.x, there.y],
+          [other, here.x, here.y],
+        ]
+  const others = moved.filter(([id]) => !ids?.includes(id))
+  const press = fault === 'displaced' ? 'Take it there' : 'Exchange them'
+  return { press, corrections: { driven, landmarks: [...others, ...places] } }
+}
+
+/**
+ * The setting that mends a fault as its sentence says, and the words of the press; null where the reader has to mend
+ * the file, a unit or the truth.
+ * @param {Suspect} suspect @param {Frame['params']} params @param {boolean} truth @param {Frame['log']} [log]
+ * @returns {Remedy | null}
+ */
+export function remedy(suspect, params, truth, log = null) {
+  const { fault, name, with: other, sensor, sizes, times: read } = suspect
+  if (fault === 'mirrored') return null
+  if (['odometry', 'exchanged', 'displaced'].includes(fault)) return corrected(suspect, log)
+  if (fault === 'tails')
+    return { press: 'Switch the gate on', patch: { gate: { ...bySensor(params.gate), [sensor ?? 'fix']: GATE } } }
+  if (fault === 'start') {
+    if (truth) return null
+    const [x, y, theta] = sizes
+    const start = [said(x), said(y), said({ ...theta, value: wrapped(theta.value) }, 1 / DEGREE)]
+    return { press: 'Set the start so', patch: { start } }
+  }
+  // It may be in another unit, which is the reader's to say.
+  if (fault === 'scale' && (sizes[0].end || read?.unit)) return null
+  const learned = LEARNED[name ?? '']
+  if (learned) return { press: 'Let the filter learn it', patch: { [learned]: true } }
+  const names = sizes.length > 2 ? TOGETHER : [name, other].filter((one) => one !== null)
+  const times = fault === 'turned' ? 1 / DEGREE : fault === 'scale' ? 100 : 1
+  const patch = Object.fromEntries(names.map((one, i) => [one, said(sizes[i], i === 0 ? times : 1)]))
+  return { press: names.length > 1 ? 'Set them so' : 'Set it so', patch }
+}
+
+/**
+ * The presses for what a judgement names: one, or two where the readings do not tell which it is.
+ * @param {LogJudgement | null} judgement @param {Frame} frame
+ * @returns {Remedy[]}
+ */
+export function remedies(judgement, { params, truth, log, known = [] }) {
+  const suspects = judgement ? named(judgement) : []
+  const together = judgement ? unsettled(judgement, params, known) : []
+  if (together.length > 1) return [{ press: `Fit ${counted(together)} σ`, fit: together }]
+  const all = suspects.map((suspect) => remedy(suspect, params, Boolean(truth), log))
+  const either = ['Either', 'Or']
+  return all.flatMap((one, i) => {
+    if (!one) return []
+    const { press } = one
+    return [{ ...one, press: all.length > 1 ? `${either[i]}: ${press[0].toLowerCase()}${press.slice(1)}` : press }]
+  })
+}
