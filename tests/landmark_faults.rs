@@ -2,7 +2,7 @@
 //! as are outliers. Natively only.
 
 use chapter_tests::planted::{Log, WORLDS, judged};
-use estimate::drive::{Event, Fault, Fitted, Standing};
+use estimate::drive::{Event, Fault, Fitted, Standing, Suspect};
 
 /// A sound log of a world, with a truth or without.
 fn sound(world: usize, n: u64) -> Log {
@@ -32,6 +32,30 @@ fn a_landmark_that_stands_elsewhere_is_named_with_where_it_stands() {
         let again = judged(&log).expect("a verdict");
         let left = again.suspects.iter().find(|it| it.fault == Fault::Displaced).expect("it was looked for");
         assert_eq!(left.standing, Standing::Cleared, "{world} {n}: {left:?}");
+    }
+}
+
+/// Where a robot sees a landmark from about one side, another place of it looks the same.
+#[test]
+fn ranges_of_one_landmark_that_are_too_long_are_named() {
+    for (world, n) in [0, 1, 4].into_iter().flat_map(|world| (0..4).map(move |n| (world, n))) {
+        let mut log = sound(world, n);
+        let at = n as usize % log.drive.landmarks.len();
+        let by = if n < 2 { 0.6 } else { -0.6 };
+        for row in &mut log.drive.rows {
+            if let Event::Range { landmark, range } | Event::RangeBearing { landmark, range, .. } = &mut row.event {
+                *range += if *landmark == at { by } else { 0.0 };
+            }
+        }
+        let judgement = judged(&log).expect("a verdict");
+        let [first, second] = [0, 1].map(|i| &judgement.suspects[i]);
+        let id = log.drive.landmarks[at].id;
+        let of = |suspect: &Suspect| suspect.fault == Fault::LandmarkBias && suspect.landmarks == [id];
+        let rival = |suspect: &Suspect| suspect.fault == Fault::Displaced && first.standing == Standing::Maybe;
+        assert!(of(first) || of(second) && rival(first), "{world} {n}: {first:?} {second:?}");
+        let biased = if of(first) { first } else { second };
+        let size = biased.sizes[0];
+        assert!((size.value - by).abs() < 4.0 * size.sigma && size.sigma < 0.2, "{world} {n}: {size:?}");
     }
 }
 

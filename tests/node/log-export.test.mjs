@@ -105,7 +105,7 @@ test('what robot_localization has to be told otherwise is said: a true start, an
   const said = (/** @type {any} */ more) => robotLocalization(frame, { ...contents, ...more })
   assert.match(said({ truth: true }), /# The page’s filter starts at the first true pose of the log: write that into/)
   assert.doesNotMatch(said({ truth: false }), /first true pose/)
-  const corrections = { driven: [0.9705, 1.01], landmarks: [] }
+  const corrections = { driven: [0.9705, 1.01], landmarks: [], ranges: [] }
   assert.match(
     said({ motion: 'odometry', corrections }),
     /# Multiply distances of odometry by 0\.9705 and turns by 1\.01 /,

@@ -124,6 +124,7 @@ export const logClasses = (lab) => ({
           [0.97, 1.02],
         ]),
         dice.pick([[], [[1, 2, 3]]]),
+        dice.pick([undefined, [[1, 0.4]]]),
       ],
       read: () => [],
     },

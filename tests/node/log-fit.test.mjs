@@ -3,6 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import {
   bentBy,
+  clearedBy,
   delaysAreOfModel,
   isAsSet,
   isOfModel,
@@ -10,6 +11,7 @@ import {
   sentence as fitted,
   whyAsSet,
 } from '../../web/page/log-fit-words.js'
+import { judgement, suspect } from './verdicts.mjs'
 
 const MOTION = { pace: 1, period: 0.1 }
 
@@ -69,7 +71,7 @@ test('what a fit tells by less than twice its ± from what is set stays, and a �
   const sigma = number({ name: 'sigmaFix', value: 1, relative: true })
   assert.equal(isAsSet(sigma, { sigmaFix: 1 }), false)
   // A likelihood may have a top where nothing is late: where the verdict finds no fault, no delay is taken.
-  assert.match(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, true), /finds no fault, so it stays/)
+  assert.match(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, true), /does not find it wrong, so it stays/)
   assert.equal(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, false), '')
   assert.equal(whyAsSet(sigma, { sigmaFix: 3 }, true), '')
 })
@@ -81,4 +83,16 @@ test('a delay that its ± tells less well than the rows of motion has its ±', (
   assert.match(fitted(number, motion), /^delay of the positions, s: 0\.650 ± 0\.040$/)
   assert.match(fitted({ ...number, sigma: 0.005 }, motion), /0\.64 to 0\.66, all alike/)
   assert.match(fitted({ ...number, sigma: null }, motion), /0\.64 to 0\.66, all alike/)
+})
+
+test('what a verdict does not find wrong is not taken, and a delay that may be wrong leaves all open', () => {
+  const of = (/** @type {any[]} */ ...suspects) => clearedBy(judgement(suspects.map(suspect)))
+  const sigma = { fault: 'sigma', name: 'sigmaFix' }
+  const cleared = of(sigma, { standing: 'cleared' }, { fault: 'bias', name: 'offset', standing: 'cleared' })
+  assert.deepEqual(['delayFix', 'delaySpeed', 'offset'].map(cleared), [true, true, true])
+  const late = of(sigma, { standing: 'maybe' })
+  assert.deepEqual(['delayFix', 'delaySpeed', 'offset'].map(late), [false, false, true])
+  const ruler = of({ fault: 'scale', name: 'scale', with: 'offset' })
+  assert.deepEqual(['scale', 'offset', 'delayFix'].map(ruler), [false, false, true])
+  assert.equal(clearedBy(null)('delayFix'), false, 'before there is a verdict')
 })

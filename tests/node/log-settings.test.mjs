@@ -73,7 +73,7 @@ test('what is read otherwise than the files have it is written and read again, o
   const none = JSON.parse(settingsText({}, files.files(), of()))
   assert.ok(!('corrections' in none), 'nothing is corrected')
   /** @type {import('estimate-wasm').LogCorrections} */
-  const corrections = { driven: [0.97, 1.01], landmarks: [[3, 1.5, 2]] }
+  const corrections = { driven: [0.97, 1.01], landmarks: [[3, 1.5, 2]], ranges: [[3, 0.4]] }
   applyChange(files, { corrections })
   const contents = of()
   assert.deepEqual(contents.landmarks, [{ id: 3, x: 1.5, y: 2 }])
@@ -93,6 +93,8 @@ test('what is read otherwise than the files have it is written and read again, o
     {},
     { ...corrections, driven: [0, 1] },
     { ...corrections, landmarks: [[0.5, 1, 1]] },
+    { ...corrections, ranges: [[3]] },
+    { ...corrections, ranges: [[-1, 0.4]] },
     { ...corrections, x: 1 },
   ])
     assert.throws(() => readSettings(JSON.stringify({ ...none, corrections: wrong }), known), /corrections are not/)

@@ -103,7 +103,7 @@ test('where landmarks or odometry are wrong the log is read as the sentence says
       { id: 3, x: 1, y: 2 },
       { id: 7, x: 4, y: 5 },
     ],
-    corrections: { driven: [1.1, 1], landmarks: [[3, 1, 2]] },
+    corrections: { driven: [1.1, 1], landmarks: [[3, 1, 2]], ranges: [[7, 0.1]] },
   }
   const corrected = (given) => remedy(suspect({ name: null, ...given }), params, false, log)
   const elsewhere = { fault: 'displaced', landmarks: [7], sizes: [size(4.8123, 0.03, 4), size(4.5, 0.03, 5)] }
@@ -115,6 +115,7 @@ test('where landmarks or odometry are wrong the log is read as the sentence says
         [3, 1, 2],
         [7, 4.812, 4.5],
       ],
+      ranges: [[7, 0.1]],
     },
   })
   assert.match(sentence(suspect({ name: null, ...elsewhere }), false), /write 4\.812 ± 0\.030 m and 4\.500/)
@@ -122,6 +123,26 @@ test('where landmarks or odometry are wrong the log is read as the sentence says
     [3, 4, 5],
     [7, 1, 2],
   ])
+  const biased = { fault: 'landmark-bias', landmarks: [7], sizes: [size(0.3987, 0.021)] }
+  assert.deepEqual(
+    corrected(biased)?.corrections,
+    { ...log.corrections, ranges: [[7, 0.499]] },
+    'beside what was taken',
+  )
+  assert.deepEqual(corrected({ ...biased, landmarks: [3] })?.corrections?.ranges, [
+    [7, 0.1],
+    [3, 0.399],
+  ])
+  assert.equal(
+    sentence(suspect({ name: null, ...biased }), false),
+    'The ranges to landmark 7 alone read 0.399 ± 0.021 m too long, as behind a wall or by a delay in its radio: ' +
+      'take them 0.399 m shorter.',
+  )
+  const short = suspect({ name: null, ...biased, sizes: [size(-0.3987, 0.021)] })
+  assert.match(
+    sentence(short, false),
+    /read 0\.399 ± 0\.021 m too short, as by its radio: take them 0\.399 m longer\.$/,
+  )
   const odometry = { fault: 'odometry', sizes: [size(-0.0301, 0.0021), size(0.0123, 0.0034)] }
   const { press, corrections } = corrected(odometry) ?? {}
   assert.equal(press, 'Take them so')
@@ -136,7 +157,8 @@ test('what is the reader’s to say has no press: a unit, a sign, names, what li
   assert.equal(set({ fault: 'scale', name: 'speedScale', sizes: [size(-0.72)], times }), null)
   const most = { ...size(-0.9), end: true }
   assert.equal(set({ fault: 'scale', name: 'scale', sizes: [most], times: { ...times, unit: null } }), null)
-  for (const fault of ['mirrored', 'exchanged', 'displaced']) assert.equal(set({ fault, name: null, sizes: [] }), null)
+  for (const fault of ['mirrored', 'exchanged', 'displaced', 'landmark-bias'])
+    assert.equal(set({ fault, name: null, sizes: [] }), null)
 })
 
 test('two that the readings do not tell apart have a press each, and what is none has none', () => {

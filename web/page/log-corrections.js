@@ -3,7 +3,7 @@
 /** @typedef {import('estimate-wasm').LogCorrections} Corrections */
 
 /** As the files have it. @type {Corrections} */
-export const NONE = { driven: [1, 1], landmarks: [] }
+export const NONE = { driven: [1, 1], landmarks: [], ranges: [] }
 
 /** @param {Corrections} one @param {Corrections} other */
 export const sameCorrections = (one, other) => JSON.stringify(plain(one)) === JSON.stringify(plain(other))
@@ -33,12 +33,15 @@ export async function markOf(file) {
 export const isCorrected = ({ corrections }) => !sameCorrections(corrections, NONE)
 
 /**
- * The numbers in lists, as a file has them; landmarks by their numbers.
- * @param {Corrections} corrections @returns {Corrections}
+ * The numbers in lists, as a file has them; landmarks by their numbers. Files of before have no ranges.
+ * @param {Omit<Corrections, 'ranges'> & Partial<Corrections>} corrections @returns {Corrections}
  */
-export function plain({ driven: [far, much], landmarks }) {
+export function plain({ driven: [far, much], landmarks, ranges = [] }) {
   const places = landmarks.map(([id, x, y]) => /** @type {[number, number, number]} */ ([id, x, y]))
-  return { driven: [far, much], landmarks: places.sort(([one], [other]) => one - other) }
+  const shorter = ranges.map(([id, by]) => /** @type {[number, number]} */ ([id, by]))
+  /** @param {number[]} one @param {number[]} other */
+  const byId = ([one], [other]) => one - other
+  return { driven: [far, much], landmarks: places.sort(byId), ranges: shorter.sort(byId) }
 }
 
 /** Whether a file’s value is a list of so many numbers. @param {unknown} value @param {number} count */
@@ -46,9 +49,10 @@ export const numbers = (value, count) => Array.isArray(value) && value.length ==
 
 /** Whether a file’s value is such corrections. @param {any} value */
 export function areCorrections(value) {
-  const { driven, landmarks, ...others } = value ?? {}
+  const { driven, landmarks, ranges = [], ...others } = value ?? {}
   const factors = numbers(driven, 2) && driven.every((/** @type {number} */ one) => one > 0)
   const id = (/** @type {number[]} */ [one]) => Number.isInteger(one) && one >= 0
   const places = Array.isArray(landmarks) && landmarks.every((place) => numbers(place, 3) && id(place))
-  return factors && places && Object.keys(others).length === 0
+  const shorter = Array.isArray(ranges) && ranges.every((pair) => numbers(pair, 2) && id(pair))
+  return factors && places && shorter && Object.keys(others).length === 0
 }

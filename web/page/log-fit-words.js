@@ -98,15 +98,28 @@ export const isAsSet = ({ name, value, relative, sigma }, params) =>
 /**
  * Why a number stays as it is set; empty where it does not.
  * @param {LogFound['numbers'][number]} number @param {Record<string, any>} params
- * @param {boolean} sound whether the verdict on what is set finds no fault
+ * @param {boolean} cleared whether the verdict on what is set does not find it wrong
  */
-export function whyAsSet(number, params, sound) {
+export function whyAsSet(number, params, cleared) {
   if (isAsSet(number, params)) return AS_SET
-  return sound && !number.relative ? SOUND : ''
+  return cleared && !number.relative ? CLEARED : ''
+}
+
+/**
+ * Which numbers a verdict does not find wrong. Delays are told against one another: one that may be wrong leaves all
+ * open.
+ * @param {import('estimate-wasm').LogJudgement | null} judgement
+ * @returns {(name: string) => boolean}
+ */
+export function clearedBy(judgement) {
+  const open = (judgement?.suspects ?? []).filter(({ standing }) => standing !== 'cleared')
+  const names = open.flatMap(({ name, with: other }) => [name, other])
+  const late = open.some(({ fault }) => fault === 'clock')
+  return (name) => judgement !== null && !names.includes(name) && !(late && name.startsWith('delay'))
 }
 
 const AS_SET = ': what is set lies within twice that, and stays'
-const SOUND = ': the verdict on what is set finds no fault, so it stays; the likelihood may have several tops'
+const CLEARED = ': the verdict on what is set does not find it wrong, so it stays; the likelihood may have several tops'
 export const BENT = ': bent by outliers, and not taken'
 
 /**

@@ -4,6 +4,7 @@ import { button, part } from '../draw/dom.js'
 import {
   BENT,
   bentBy,
+  clearedBy,
   delaysAreOfModel,
   isOfModel,
   mendBefore,
@@ -57,8 +58,7 @@ export class FitForm {
     this.params = params
     this.judging = Boolean(judging)
     if (!judging) this.judged?.()
-    /** Whether nothing is wrong as it is set. */
-    this.sound = judgement?.suspects[0]?.standing === 'cleared'
+    this.cleared = clearedBy(judgement ?? null)
     if (this.first) this.first.textContent = mendBefore(judgement ?? null)
   }
 
@@ -108,7 +108,11 @@ export class FitForm {
     const own = delaysAreOfModel(numbers, period)
     const motion = { pace, period: own ? period : 0 }
     const stays = (/** @type {LogFound['numbers'][number]} */ number) =>
-      number.sigma === null ? '' : bent ? BENT : whyAsSet(number, this.params ?? {}, Boolean(this.sound))
+      number.sigma === null
+        ? ''
+        : bent
+          ? BENT
+          : whyAsSet(number, this.params ?? {}, Boolean(this.cleared?.(number.name)))
     for (const number of numbers)
       part(document, list, 'li', '').textContent = `${sentence(number, motion)}${stays(number)}`
     const taken = numbers.filter((one) => one.sigma !== null && !isOfModel(one, motion.period) && !stays(one))

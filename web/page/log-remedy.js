@@ -37,14 +37,24 @@ const said = (size, times = 1) => Number((rounded(size, times) / times).toPrecis
  */
 function corrected({ fault, landmarks: ids, sizes }, log) {
   if (!log?.corrections) return null
-  const { driven, landmarks: moved } = log.corrections
+  const { driven, landmarks: moved, ranges } = log.corrections
   if (fault === 'odometry') {
     if (sizes[0].end) return null
     const [along, about = 1] = factors(sizes)
-    return { press: 'Take them so', corrections: { driven: [driven[0] * along, driven[1] * about], landmarks: moved } }
+    return {
+      press: 'Take them so',
+      corrections: { ...log.corrections, driven: [driven[0] * along, driven[1] * about] },
+    }
   }
   const at = (/** @type {number} */ id) => log.landmarks?.find((one) => one.id === id)
   const [one, other = one] = ids ?? []
+  if (fault === 'landmark-bias' && sizes.length > 0) {
+    // What was taken off before is counted in.
+    const before = ranges.find(([id]) => id === one)?.[1] ?? 0
+    const by = Number((before + said(sizes[0])).toPrecision(12))
+    const others = ranges.filter(([id]) => id !== one)
+    return { press: 'Take them so', corrections: { ...log.corrections, ranges: [...others, [one, by]] } }
+  }
   const [here, there] = [at(one), at(other)]
   if (!here || !there) return null
   const [x, y] = sizes.map((size) => said(size))
@@ -58,7 +68,7 @@ function corrected({ fault, landmarks: ids, sizes }, log) {
         ]
   const others = moved.filter(([id]) => !ids?.includes(id))
   const press = fault === 'displaced' ? 'Take it there' : 'Exchange them'
-  return { press, corrections: { driven, landmarks: [...others, ...places] } }
+  return { press, corrections: { ...log.corrections, landmarks: [...others, ...places] } }
 }
 
 /**
@@ -70,7 +80,7 @@ function corrected({ fault, landmarks: ids, sizes }, log) {
 export function remedy(suspect, params, truth, log = null) {
   const { fault, name, with: other, sensor, sizes, times: read } = suspect
   if (fault === 'mirrored') return null
-  if (['odometry', 'exchanged', 'displaced'].includes(fault)) return corrected(suspect, log)
+  if (['odometry', 'landmark-bias', 'exchanged', 'displaced'].includes(fault)) return corrected(suspect, log)
   if (fault === 'tails')
     return { press: 'Switch the gate on', patch: { gate: { ...bySensor(params.gate), [sensor ?? 'fix']: GATE } } }
   if (fault === 'start') {

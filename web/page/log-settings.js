@@ -110,7 +110,8 @@ export function readSettings(text, known) {
   const log = read.log ?? null
   if (log !== null) only(log, LOG, 'log', LOG)
   const corrections = read.corrections ?? NONE
-  if (!areCorrections(corrections)) throw new Error('corrections are not two factors and places of landmarks.')
+  if (!areCorrections(corrections))
+    throw new Error('corrections are not two factors, places of landmarks and what ranges are taken shorter.')
   const missing = known.filter(({ name }) => !(name in read.settings))
   const usual = Object.fromEntries(missing.map((one) => [one.name, one.default]))
   const names = missing.map(({ name }) => name)

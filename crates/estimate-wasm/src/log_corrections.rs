@@ -16,26 +16,40 @@ export interface LogCorrections {
     driven: [number, number];
     /** The id, x and y of each landmark that stands elsewhere. */
     landmarks: [number, number, number][];
+    /** The id of each landmark whose ranges are taken shorter than they are read, and by how much, metres. */
+    ranges: [number, number][];
 }
 "#;
 
-/// What a caller says of them: two factors, and id, x and y of landmarks.
-pub(crate) fn read(driven: &JsValue, landmarks: &JsValue) -> Result<Corrections, Error> {
-    let (driven, landmarks) = (Arg::new(driven, "driven"), Arg::new(landmarks, "landmarks"));
-    let place = |place: &Arg<'_>| {
+/// What a caller says of them: two factors, id, x and y of landmarks, and id and metres of ranges, which may be left
+/// out.
+pub(crate) fn read(driven: &JsValue, landmarks: &JsValue, ranges: &JsValue) -> Result<Corrections, Error> {
+    let driven = Arg::new(driven, "driven").exactly()?;
+    let landmarks = Arg::new(landmarks, "landmarks").every(MAX_LANDMARKS, |place| {
         let [id, x, y] = place.exactly()?;
-        let whole = id >= 0.0 && id <= f64::from(u32::MAX) && id.fract() == 0.0;
-        if !whole {
-            return Err(Error::new(Code::Type, "landmarks", "have an id that is no whole number"));
-        }
-        Ok((id as u32, [finite(x, "landmarks")?, finite(y, "landmarks")?]))
+        Ok((id_of(id, "landmarks")?, [finite(x, "landmarks")?, finite(y, "landmarks")?]))
+    })?;
+    let ranges = Arg::new(ranges, "ranges");
+    let shorter = |pair: &Arg<'_>| {
+        let [id, by] = pair.exactly()?;
+        Ok((id_of(id, "ranges")?, finite(by, "ranges")?))
     };
-    let landmarks = landmarks.every(MAX_LANDMARKS, place)?;
-    Ok(Corrections { driven: driven.exactly()?, landmarks: landmarks.into_iter().collect() })
+    let ranges = if ranges.is_undefined() { Vec::new() } else { ranges.every(MAX_LANDMARKS, shorter)? };
+    Ok(Corrections { driven, landmarks: landmarks.into_iter().collect(), ranges: ranges.into_iter().collect() })
+}
+
+fn id_of(id: f64, name: &'static str) -> Result<u32, Error> {
+    let whole = id >= 0.0 && id <= f64::from(u32::MAX) && id.fract() == 0.0;
+    if whole { Ok(id as u32) } else { Err(Error::new(Code::Type, name, "have an id that is no whole number")) }
 }
 
 /// The same as a caller reads it.
 pub(crate) fn shown(corrections: &Corrections) -> JsValue {
     let places = corrections.landmarks.iter().map(|(id, [x, y])| list(&[f64::from(*id), *x, *y]));
-    record(&[("driven", list(&corrections.driven)), ("landmarks", places.collect::<Array>().into())])
+    let ranges = corrections.ranges.iter().map(|(id, by)| list(&[f64::from(*id), *by]));
+    record(&[
+        ("driven", list(&corrections.driven)),
+        ("landmarks", places.collect::<Array>().into()),
+        ("ranges", ranges.collect::<Array>().into()),
+    ])
 }

@@ -16,18 +16,19 @@ const TYPES: &str = r#"
 /** A fault that was looked for in a log. */
 export interface LogSuspect {
     fault: 'start' | 'clock' | 'bias' | 'scale' | 'odometry' | 'tails' | 'sigma' | 'turned' | 'mirrored' | 'exchanged'
-        | 'displaced';
+        | 'landmark-bias' | 'displaced';
     /** The parameter that mends it; null of the start, of outliers, which a gate refuses, and where none does. */
     name: string | null;
     /** The parameter that mends it together with that one; of three sensors that are late together the second. */
     with: string | null;
     /** The sensor that has outliers, else null. */
     sensor: 'fix' | 'heading' | 'range' | 'bearing' | null;
-    /** The ids of two landmarks that are exchanged, or of the one that stands elsewhere, else null. */
+    /** The ids of two landmarks that are exchanged, or of the one that is displaced or biased, else null. */
     landmarks: number[] | null;
     /**
      * As it is set, where the readings are likeliest, and how well they tell it, null where they do not: of each
-     * parameter; of the start x, y and θ in metres and radians; of a landmark x and y; of outliers their share; of
+     * parameter; of the start x, y and θ in metres and radians; of a landmark x and y, or by how much its
+     * ranges are too long; of outliers their share; of
      * odometry the shares by which distances and, where it turns, turns are larger than they are read. Empty where
      * nothing is set.
      */

@@ -1,9 +1,12 @@
 //! What is read otherwise than the files have it, as a verdict on the log proposes it: distances and turns of odometry
-//! by factors, and landmarks at other places.
+//! by factors, landmarks at other places, and the ranges of one shorter.
 
 use crate::frames::signed;
 use estimate::drive::{Drive, Event};
 use std::collections::BTreeMap;
+
+/// No range is taken shorter than this, m.
+const LEAST: f64 = 1e-3;
 
 /// What is read otherwise than the files have it.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,11 +15,13 @@ pub struct Corrections {
     pub driven: [f64; 2],
     /// Where landmarks stand instead, by their numbers; m.
     pub landmarks: BTreeMap<u32, [f64; 2]>,
+    /// By how much ranges are taken shorter than they are read, by the numbers of their landmarks; m.
+    pub ranges: BTreeMap<u32, f64>,
 }
 
 impl Default for Corrections {
     fn default() -> Self {
-        Self { driven: [1.0; 2], landmarks: BTreeMap::new() }
+        Self { driven: [1.0; 2], landmarks: BTreeMap::new(), ranges: BTreeMap::new() }
     }
 }
 
@@ -24,7 +29,8 @@ impl Corrections {
     /// Whether a log can be read so: factors are above 0, and all is finite.
     pub(crate) fn is_sound(&self) -> bool {
         let factor = |by: &f64| by.is_finite() && *by > 0.0;
-        self.driven.iter().all(factor) && self.landmarks.values().flatten().all(|at| at.is_finite())
+        let metres = self.landmarks.values().flatten().chain(self.ranges.values());
+        self.driven.iter().all(factor) && { metres }.all(|at| at.is_finite())
     }
 
     /// Reads a log so, and says what was done; what it says of landmarks that the log has not, or of odometry where
@@ -43,13 +49,33 @@ impl Corrections {
                 "Distances of odometry are taken {far:.4} times as they are read, and turns {much:.4} times."
             ));
         }
+        let name = |id: u32| {
+            let name = names.get((id as usize).wrapping_sub(1)).cloned();
+            name.unwrap_or_else(|| id.to_string())
+        };
+        let shorter: Vec<f64> =
+            drive.landmarks.iter().map(|it| self.ranges.get(&it.id).copied().unwrap_or(0.0)).collect();
+        for row in &mut drive.rows {
+            if let Event::Range { landmark, range } | Event::RangeBearing { landmark, range, .. } = &mut row.event
+                && let Some(by) = shorter.get(*landmark).filter(|by| **by != 0.0)
+            {
+                *range = (*range - by).max(LEAST);
+            }
+        }
+        for (landmark, by) in drive.landmarks.iter().zip(shorter).filter(|(_, by)| *by != 0.0) {
+            let how = if by > 0.0 { "shorter" } else { "longer" };
+            said.push(format!(
+                "Ranges to landmark {} are taken {:.3} m {how} than they are read.",
+                name(landmark.id),
+                by.abs()
+            ));
+        }
         for landmark in &mut drive.landmarks {
             let elsewhere = self.landmarks.get(&landmark.id).filter(|place| **place != [landmark.x, landmark.y]);
             let Some([x, y]) = elsewhere else { continue };
-            let name = names.get((landmark.id as usize).wrapping_sub(1)).cloned();
             let places = [landmark.x, landmark.y, *x, *y].map(signed);
             let [from_x, from_y, to_x, to_y] = places;
-            let name = name.unwrap_or_else(|| landmark.id.to_string());
+            let name = name(landmark.id);
             said.push(format!("Landmark {name} is taken at ({to_x}, {to_y}) m, and not at ({from_x}, {from_y}) m."));
             (landmark.x, landmark.y) = (*x, *y);
         }

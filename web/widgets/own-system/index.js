@@ -9,7 +9,7 @@ import { buildEditor } from './editor.js'
 import { drawGain, drawRun, drawVariance } from './history.js'
 import { limitWords } from './limit.js'
 import { buildMore } from './more.js'
-import { decimalsOf, seconds, short } from './names.js'
+import { counted, decimalsOf, seconds, short } from './names.js'
 import { MOST, PRESETS, paramsOf, runOf } from './presets.js'
 import { drawRanks } from './ranks.js'
 import { buildShown } from './shown.js'
@@ -45,7 +45,7 @@ function readouts(frame) {
     {
       key: 'steps',
       label: 'Steps until 5 %',
-      value: open ? 'undecided' : slowest.steps === null ? 'never' : String(Math.ceil(slowest.steps)),
+      value: open ? 'undecided' : slowest.steps === null ? 'never' : counted(Math.ceil(slowest.steps)),
     },
     {
       key: 'seconds',

@@ -85,6 +85,9 @@ export function fitted(value) {
 /** A number of steps, to two digits: `670`, `6.6 × 10⁴`. @param {number} count */
 export const steps = (count) => fixed(Number(count.toPrecision(2)), 0)
 
+/** A number of steps, to two digits where there are thousands. @param {number} count */
+export const counted = (count) => (count < 1e4 ? String(count) : steps(count))
+
 /** A time in seconds: `0.12 s`, `20 s`, `3.4e3 s`. @param {number} seconds */
 export const seconds = (seconds) => `${short(seconds)} s`
 

@@ -1,7 +1,7 @@
 /** What a frame says in sentences. Every sentence is a function of the frame. */
 
 import { fixed, power } from '../../draw/numbers.js'
-import { decimalsOf, seconds, steps, sumsOf } from './names.js'
+import { counted, decimalsOf, seconds, steps, sumsOf } from './names.js'
 import { endIsOpen, limitIsOpen, wouldDecide } from './undecided.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
@@ -126,7 +126,7 @@ export function settles(frame) {
 }
 
 /** A number of steps. @param {number} count */
-const stepsTo = (count) => `${count < 1e4 ? count : steps(count)} ${count === 1 ? 'step' : 'steps'}`
+const stepsTo = (count) => `${counted(count)} ${count === 1 ? 'step' : 'steps'}`
 
 /** What of noise lets a small start lead elsewhere. @param {Frame} frame */
 const unreached = ({ noise }) =>

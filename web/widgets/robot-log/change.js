@@ -19,5 +19,5 @@ export function applyChange(files, change) {
   if (only !== undefined) files.setOnly(file, only)
   if (frame !== undefined) files.setFrame(file, frame)
   if (origin !== undefined) files.setOrigin(file, ...origin)
-  if (corrections !== undefined) files.correct(corrections.driven, corrections.landmarks)
+  if (corrections !== undefined) files.correct(corrections.driven, corrections.landmarks, corrections.ranges)
 }

@@ -4,7 +4,7 @@ import { fixed } from '../../draw/numbers.js'
 import { odometrySentence } from './driven.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { hides, sigmaKind, sigmaSentence } from './sigmas.js'
-import { displaced, exchanged } from './misplaced.js'
+import { biased, displaced, exchanged } from './misplaced.js'
 import { brief, claimed, digits, isStair, plusMinus } from './sized.js'
 import { startSentence } from './start.js'
 
@@ -137,7 +137,7 @@ function model(suspect, { period }) {
   const off = size.value - size.now
   return (
     `${late(suspect, off)}: less than half a step of ${brief(period)} s between rows of motion. ` +
-    'That is the motion model’s own, which holds what it reads for a step, drives it straight and turns then.'
+    'That may be the motion model’s own, which holds what it reads for a step, drives it straight and turns then.'
   )
 }
 
@@ -211,6 +211,7 @@ export function kind({ fault, name, with: other, sensor, sizes }) {
   if (fault === 'odometry') return 'a scale of the odometry'
   if (fault === 'exchanged') return 'an exchange of two landmarks'
   if (fault === 'displaced') return 'another place of a landmark'
+  if (fault === 'landmark-bias') return 'an offset of the ranges to one landmark'
   return other ? 'scale and offset of the ranges together' : NAMES[name ?? '']
 }
 
@@ -220,6 +221,7 @@ export function sentence(suspect, truth, log = null) {
   if (fault === 'odometry') return odometrySentence(sizes, log)
   if (fault === 'exchanged') return exchanged(landmarks ?? [], log)
   if (fault === 'displaced') return displaced(landmarks ?? [], sizes, log)
+  if (fault === 'landmark-bias') return biased(landmarks ?? [], sizes, log)
   if (fault === 'mirrored')
     return (
       'The turns have the wrong sign: choose the unit of ω that turns the other way, or change their sign ' +

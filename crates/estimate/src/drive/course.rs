@@ -55,6 +55,8 @@ pub(crate) struct Otherwise {
     pub driven: [f64; 2],
     /// Two landmarks, by their places in the list, that are taken for one another.
     pub exchanged: Option<[usize; 2]>,
+    /// A landmark, by its place in the list, whose ranges read so much too long, m.
+    pub biased: Option<(usize, f64)>,
     /// A landmark, by its place in the list, that stands beside its place by so much, m.
     pub displaced: Option<(usize, [f64; 2])>,
 }
@@ -150,6 +152,14 @@ impl Course {
             Some([a, b]) if landmark == a => b,
             Some([a, b]) if landmark == b => a,
             _ => landmark,
+        }
+    }
+
+    /// A range to a landmark, as it is taken.
+    pub(crate) fn range_to(&self, landmark: usize, range: f64) -> f64 {
+        match self.otherwise.biased {
+            Some((biased, by)) if landmark == biased => range - by,
+            _ => range,
         }
     }
 

@@ -21,6 +21,8 @@ pub enum Fault {
     Turned,
     /// Turns are counted the other way round.
     Mirrored,
+    /// The ranges of one landmark are off by a constant, as behind a wall.
+    LandmarkBias,
     /// Two landmarks are taken for one another.
     Exchanged,
     /// A landmark stands elsewhere than its row says.
@@ -40,6 +42,7 @@ impl Fault {
             Self::Sigma => "sigma",
             Self::Turned => "turned",
             Self::Mirrored => "mirrored",
+            Self::LandmarkBias => "landmark-bias",
             Self::Exchanged => "exchanged",
             Self::Displaced => "displaced",
         }

@@ -20,14 +20,21 @@ pub(crate) fn reading(course: &Course, event: &Event) -> Option<Reading> {
             let theta = if s.heading_offset == 0.0 { theta } else { wrap(theta - s.heading_offset) };
             Reading::Heading { theta, w: sigma * sigma }
         }
-        Event::Range { landmark, range } => {
-            Reading::Range { landmark: Some(course.seen(landmark)), range, w: s.sigma_range * s.sigma_range }
-        }
+        Event::Range { landmark, range } => Reading::Range {
+            landmark: Some(course.seen(landmark)),
+            range: course.range_to(landmark, range),
+            w: s.sigma_range * s.sigma_range,
+        },
         Event::RangeBearing { landmark, range, bearing } => {
             let w = Matrix2::new(s.sigma_range * s.sigma_range, 0.0, 0.0, s.sigma_bearing * s.sigma_bearing);
             // A log has the bearing from the robot's nose.
             let bearing = wrap(bearing - s.bearing_offset + PI);
-            Reading::RangeBearing { landmark: Some(course.seen(landmark)), range, bearing, w }
+            Reading::RangeBearing {
+                landmark: Some(course.seen(landmark)),
+                range: course.range_to(landmark, range),
+                bearing,
+                w,
+            }
         }
         Event::Odometry { .. } | Event::Velocity { .. } | Event::Speed { .. } | Event::TurnRate { .. } => return None,
     })

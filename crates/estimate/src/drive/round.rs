@@ -1,7 +1,7 @@
 //! A look at some suspects beside one replay.
 
 use crate::drive::course::{Course, Otherwise};
-use crate::drive::displaced::{displaced, moved};
+use crate::drive::displaced::{biased, displaced};
 use crate::drive::evidence::{Evidence, OUTLIERS, Trial};
 use crate::drive::exchange::likeliest;
 use crate::drive::fault::Fault;
@@ -88,11 +88,14 @@ impl Round {
                 mended = Some(Trial { otherwise: Otherwise { exchanged, ..self.place.otherwise }, ..self.place });
                 Freed { gain, ..nothing() }
             }),
-            Tried::Displaced => displaced(&search, &self.place).map(|(landmark, freed)| {
-                landmarks.push(landmark);
-                mended = Some(moved(&self.place, landmark, &freed.at));
-                freed
-            }),
+            Tried::Displaced | Tried::LandmarkBias => {
+                let look = if tried == Tried::Displaced { displaced } else { biased };
+                look(&search, &self.place).map(|(landmark, freed, place)| {
+                    landmarks.push(landmark);
+                    mended = Some(place);
+                    freed
+                })
+            }
             _ if tried.fault() == Fault::Sigma => search.sigma(&numbers),
             _ => search.means(&numbers),
         };
@@ -129,7 +132,7 @@ impl Round {
         // The likeliest of several is likelier by chance.
         let among = match tried {
             Tried::Exchanged => scope.pairs,
-            Tried::Displaced => drive.landmarks.len() as f64,
+            Tried::Displaced | Tried::LandmarkBias => drive.landmarks.len() as f64,
             _ => 1.0,
         };
         let chance = scope.chance[tried.freedom()] + libm::log(among);

@@ -44,9 +44,10 @@ pub struct Suspect {
     pub with: Option<Fitted>,
     /// The sensor whose readings have outliers.
     pub sensor: Option<Sensor>,
-    /// The two landmarks that are exchanged, by their ids, or the one that stands elsewhere.
+    /// The two landmarks that are exchanged, by their ids, or the one that stands elsewhere or whose ranges are off.
     pub landmarks: Vec<u32>,
-    /// The numbers; of the start x, y and θ in m, m and rad; of a landmark x and y in m; of outliers their share; of
+    /// The numbers; of the start x, y and θ in m, m and rad; of a landmark x and y in m, or by how much its ranges
+    /// are too long; of outliers their share; of
     /// odometry the shares by which distances and, where it turns, turns are larger than they are read.
     pub sizes: Vec<Size>,
     /// The least of the standard deviations that readings bring, their median and the greatest: of a factor on them.
@@ -73,6 +74,7 @@ impl Suspect {
             (Fault::Mirrored, ..) => Tried::Mirrored,
             (Fault::Exchanged, ..) => Tried::Exchanged,
             (Fault::Displaced, ..) => Tried::Displaced,
+            (Fault::LandmarkBias, ..) => Tried::LandmarkBias,
             (Fault::Odometry, ..) => Tried::Odometry(self.sizes.len()),
             (Fault::Clock, ..) if self.with.is_some() => {
                 Tried::Together(READINGS.map(|it| self.sizes.len() > 2 || [self.number, self.with].contains(&Some(it))))
@@ -101,6 +103,8 @@ pub(crate) enum Tried {
     Exchanged,
     /// One landmark at another place.
     Displaced,
+    /// The ranges of one landmark.
+    LandmarkBias,
 }
 
 /// Scale and offset of the ranges.
@@ -145,6 +149,7 @@ impl Tried {
             (Self::Mirrored, turning),
             (Self::Exchanged, landmarks),
             (Self::Displaced, landmarks),
+            (Self::LandmarkBias, landmarks),
         ];
         let others = others.into_iter().filter_map(|(tried, there)| there.then_some(tried));
         let open = |number: &Fitted| !number.is_sigma() || number.value(number.get(s)) > 2.0 * Fitted::LEAST;
@@ -163,6 +168,7 @@ impl Tried {
             Self::Mirrored => Fault::Mirrored,
             Self::Exchanged => Fault::Exchanged,
             Self::Displaced => Fault::Displaced,
+            Self::LandmarkBias => Fault::LandmarkBias,
             Self::Together(_) => Fault::Clock,
             Self::Number(number) if number.is_delay() => Fault::Clock,
             Self::Number(_) => Fault::Sigma,
@@ -181,7 +187,7 @@ impl Tried {
             Self::Start => 3,
             Self::Ruler | Self::Displaced => 2,
             Self::Odometry(count) => count,
-            Self::Number(_) | Self::Outliers(_) | Self::Together(_) => 1,
+            Self::Number(_) | Self::Outliers(_) | Self::Together(_) | Self::LandmarkBias => 1,
             Self::Mirrored | Self::Exchanged => 0,
         }
     }
