@@ -51,7 +51,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
     ungated ? 'The gate refuses more than one reading in ten, which hides a fault: it is off for this verdict.' : '',
     sound
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
-        `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.` +
+        `likelier than chance does${own.length > 0 ? ', but for what may be the motion model’s own' : ''}.` +
         (log?.motion === 'odometry' && !suspects.some(({ fault }) => fault === 'odometry') ? UNSOUGHT : '')
       : other
         ? foreign(judgement)
@@ -146,7 +146,7 @@ function arcs({ arcs: gain, period }) {
   if (gain === null) return ''
   return (
     `The filter drives each step straight and turns then: with rows of motion ${brief(period)} s apart this costs ` +
-    `${rise(gain)} of the log-likelihood. That is the motion model’s own too, and no fault of the log.`
+    `${rise(gain)} of the log-likelihood. That is the motion model’s own, and no fault of the log.`
   )
 }
 
