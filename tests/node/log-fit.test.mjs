@@ -3,7 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import {
   bentBy,
-  clearedBy,
+  stayingBy,
   delaysAreOfModel,
   isAsSet,
   isOfModel,
@@ -71,9 +71,9 @@ test('what a fit tells by less than twice its ± from what is set stays, and a �
   const sigma = number({ name: 'sigmaFix', value: 1, relative: true })
   assert.equal(isAsSet(sigma, { sigmaFix: 1 }), false)
   // A likelihood may have a top where nothing is late: where the verdict finds no fault, no delay is taken.
-  assert.match(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, true), /does not find it wrong, so it stays/)
-  assert.equal(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, false), '')
-  assert.equal(whyAsSet(sigma, { sigmaFix: 3 }, true), '')
+  assert.equal(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, ': so it stays'), ': so it stays')
+  assert.equal(whyAsSet(number({ value: 0.996, sigma: 0.054 }), late, ''), '')
+  assert.equal(whyAsSet(sigma, { sigmaFix: 3 }, ': so it stays'), '')
 })
 
 test('a delay that its ± tells less well than the rows of motion has its ±', () => {
@@ -86,13 +86,17 @@ test('a delay that its ± tells less well than the rows of motion has its ±', (
 })
 
 test('what a verdict does not find wrong is not taken, and a delay that may be wrong leaves all open', () => {
-  const of = (/** @type {any[]} */ ...suspects) => clearedBy(judgement(suspects.map(suspect)))
+  const of = (/** @type {any[]} */ ...suspects) => stayingBy(judgement(suspects.map(suspect)))
+  const stays = (/** @type {any[]} */ ...suspects) =>
+    ['delayFix', 'delaySpeed', 'offset'].map((name) => of(...suspects)(name) !== '')
   const sigma = { fault: 'sigma', name: 'sigmaFix' }
-  const cleared = of(sigma, { standing: 'cleared' }, { fault: 'bias', name: 'offset', standing: 'cleared' })
-  assert.deepEqual(['delayFix', 'delaySpeed', 'offset'].map(cleared), [true, true, true])
-  const late = of(sigma, { standing: 'maybe' })
-  assert.deepEqual(['delayFix', 'delaySpeed', 'offset'].map(late), [false, false, true])
-  const ruler = of({ fault: 'scale', name: 'scale', with: 'offset' })
-  assert.deepEqual(['scale', 'offset', 'delayFix'].map(ruler), [false, false, true])
-  assert.equal(clearedBy(null)('delayFix'), false, 'before there is a verdict')
+  const cleared = { fault: 'bias', name: 'offset', standing: 'cleared' }
+  assert.deepEqual(stays(sigma, { standing: 'cleared' }, cleared), [true, true, true])
+  assert.match(of(sigma, cleared)('offset'), /does not find it wrong, so it stays/)
+  assert.deepEqual(stays(sigma, { standing: 'maybe' }), [false, false, true])
+  assert.deepEqual(stays({ fault: 'scale', name: 'scale', with: 'offset' }), [true, true, false])
+  assert.equal(stayingBy(null)('delayFix'), '', 'before there is a verdict')
+  const elsewhere = { fault: 'displaced', name: null, landmarks: [2] }
+  assert.match(of(elsewhere, { fault: 'bias', name: 'offset', standing: 'maybe' })('offset'), /to be mended first/)
+  assert.match(stayingBy(judgement([suspect({})], { other: true }))('delayFix'), /to be mended first/)
 })

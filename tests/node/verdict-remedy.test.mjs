@@ -4,6 +4,7 @@ import assert from 'node:assert/strict'
 import { mendBefore } from '../../web/page/log-fit-words.js'
 import { remedies, remedy } from '../../web/page/log-remedy.js'
 import { unsettledWords } from '../../web/widgets/robot-log/unsettled.js'
+import { named } from '../../web/widgets/robot-log/named.js'
 import { sentence } from '../../web/widgets/robot-log/verdict.js'
 import { judgement, suspect } from './verdicts.mjs'
 
@@ -168,7 +169,17 @@ test('two that the readings do not tell apart have a press each, and what is non
   assert.deepEqual(presses([start, rival]), ['Either: set the start so', 'Or: set it so'])
   assert.deepEqual(presses([start, { ...rival, excess: 2 }]), ['Set the start so'])
   assert.deepEqual(presses([suspect({ standing: 'cleared' })]), [])
-  assert.deepEqual(presses([suspect({})], { other: true }), [])
+  assert.deepEqual(presses([suspect({}), rival], { other: true }), ['Set it so'], 'the likeliest may be tried')
+  const of = (/** @type {string} */ fault) =>
+    suspect({ fault, name: null, landmarks: [7], standing: 'maybe', sizes: [size(1), size(2)] })
+  const both = judgement([of('landmark-bias'), of('displaced')])
+  const names = (/** @type {any} */ corrections) =>
+    named(both, /** @type {any} */ ({ corrections })).map(({ fault }) => fault)
+  const NONE = { driven: [1, 1], landmarks: [], ranges: [] }
+  assert.deepEqual(names(NONE), ['landmark-bias', 'displaced'])
+  assert.deepEqual(names({ ...NONE, landmarks: [[7, 1, 1]] }), ['displaced'], 'what was mended is mended once more')
+  assert.deepEqual(names({ ...NONE, ranges: [[7, 1]] }), ['landmark-bias'])
+  assert.deepEqual(names({ ...NONE, ranges: [[3, 1]] }), ['landmark-bias', 'displaced'])
   assert.deepEqual(remedies(null, frame), [])
 })
 

@@ -3,7 +3,8 @@
 import { fixed } from '../draw/numbers.js'
 import { isStair } from '../widgets/robot-log/sized.js'
 import { hides } from '../widgets/robot-log/sigmas.js'
-import { kind, named } from '../widgets/robot-log/verdict.js'
+import { likeliest, named } from '../widgets/robot-log/named.js'
+import { kind } from '../widgets/robot-log/verdict.js'
 import { percent } from '../widgets/robot-log/words.js'
 import { grouped } from './log-likelihood.js'
 
@@ -38,7 +39,7 @@ export const rounded = (numbers) =>
  * @param {import('estimate-wasm').LogJudgement | null} judgement
  */
 export function mendBefore(judgement) {
-  const [fault] = judgement ? named(judgement) : []
+  const [fault] = judgement ? [...named(judgement), ...likeliest(judgement)] : []
   if (!fault || NAMES[fault.name ?? '']) return ''
   return (
     `The verdict names ${kind(fault)}, which Fit does not look for: mend that before, or it makes ` +
@@ -98,27 +99,30 @@ export const isAsSet = ({ name, value, relative, sigma }, params) =>
 /**
  * Why a number stays as it is set; empty where it does not.
  * @param {LogFound['numbers'][number]} number @param {Record<string, any>} params
- * @param {boolean} cleared whether the verdict on what is set does not find it wrong
+ * @param {string} told what the verdict on what is set says of it
  */
-export function whyAsSet(number, params, cleared) {
+export function whyAsSet(number, params, told) {
   if (isAsSet(number, params)) return AS_SET
-  return cleared && !number.relative ? CLEARED : ''
+  return number.relative ? '' : told
 }
 
 /**
- * Which numbers a verdict does not find wrong. Delays are told against one another: one that may be wrong leaves all
- * open.
+ * Why a verdict says of a number, by its name, that it stays. Delays are told against one another: one that may be
+ * wrong leaves all open.
  * @param {import('estimate-wasm').LogJudgement | null} judgement
- * @returns {(name: string) => boolean}
+ * @returns {(name: string) => string}
  */
-export function clearedBy(judgement) {
-  const open = (judgement?.suspects ?? []).filter(({ standing }) => standing !== 'cleared')
+export function stayingBy(judgement) {
+  if (!judgement) return () => ''
+  if (judgement.other || mendBefore(judgement)) return () => FIRST
+  const open = judgement.suspects.filter(({ standing }) => standing !== 'cleared')
   const names = open.flatMap(({ name, with: other }) => [name, other])
   const late = open.some(({ fault }) => fault === 'clock')
-  return (name) => judgement !== null && !names.includes(name) && !(late && name.startsWith('delay'))
+  return (name) => (names.includes(name) || (late && name.startsWith('delay')) ? '' : CLEARED)
 }
 
 const AS_SET = ': what is set lies within twice that, and stays'
+const FIRST = ': what the verdict names may look like it and is to be mended first, so it stays'
 const CLEARED = ': the verdict on what is set does not find it wrong, so it stays; the likelihood may have several tops'
 export const BENT = ': bent by outliers, and not taken'
 

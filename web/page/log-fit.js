@@ -4,7 +4,7 @@ import { button, part } from '../draw/dom.js'
 import {
   BENT,
   bentBy,
-  clearedBy,
+  stayingBy,
   delaysAreOfModel,
   isOfModel,
   mendBefore,
@@ -58,7 +58,7 @@ export class FitForm {
     this.params = params
     this.judging = Boolean(judging)
     if (!judging) this.judged?.()
-    this.cleared = clearedBy(judgement ?? null)
+    this.staying = stayingBy(judgement ?? null)
     if (this.first) this.first.textContent = mendBefore(judgement ?? null)
   }
 
@@ -108,11 +108,7 @@ export class FitForm {
     const own = delaysAreOfModel(numbers, period)
     const motion = { pace, period: own ? period : 0 }
     const stays = (/** @type {LogFound['numbers'][number]} */ number) =>
-      number.sigma === null
-        ? ''
-        : bent
-          ? BENT
-          : whyAsSet(number, this.params ?? {}, Boolean(this.cleared?.(number.name)))
+      number.sigma === null ? '' : bent ? BENT : whyAsSet(number, this.params ?? {}, this.staying?.(number.name) ?? '')
     for (const number of numbers)
       part(document, list, 'li', '').textContent = `${sentence(number, motion)}${stays(number)}`
     const taken = numbers.filter((one) => one.sigma !== null && !isOfModel(one, motion.period) && !stays(one))

@@ -4,7 +4,7 @@ import { factors } from '../widgets/robot-log/driven.js'
 import { rounded } from '../widgets/robot-log/sized.js'
 import { wrapped } from '../widgets/robot-log/start.js'
 import { counted, unsettled } from '../widgets/robot-log/unsettled.js'
-import { named } from '../widgets/robot-log/verdict.js'
+import { likeliest, named } from '../widgets/robot-log/named.js'
 import { bySensor } from './log-numbers.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
@@ -105,7 +105,7 @@ export function remedy(suspect, params, truth, log = null) {
  * @returns {Remedy[]}
  */
 export function remedies(judgement, { params, truth, log, known = [] }) {
-  const suspects = judgement ? named(judgement) : []
+  const suspects = judgement ? [...named(judgement, log), ...likeliest(judgement)] : []
   const together = judgement ? unsettled(judgement, params, known) : []
   if (together.length > 1) return [{ press: `Fit ${counted(together)} σ`, fit: together }]
   const all = suspects.map((suspect) => remedy(suspect, params, Boolean(truth), log))

@@ -15,7 +15,8 @@ export const limitIsOpen = (/** @type {Frame} */ { badlyScaled, limit }) => badl
 export const endIsOpen = ({ detectable, eigenvalues }, i) => detectable === UNDECIDED && eigenvalues[i].fixed
 
 /** @param {Frame} frame */
-export function wouldDecide({ badlyScaled, observable, detectable, noise }) {
-  if (badlyScaled || ![observable, detectable, noise.reachable].includes(UNDECIDED)) return ''
+export function wouldDecide(frame) {
+  const { badlyScaled, detectable, noise } = frame
+  if (badlyScaled || ![frame.observable, detectable, noise.reachable].includes(UNDECIDED)) return ''
   return 'More digits of the numbers, or a smaller tolerance where they are exact, may decide what is undecided.'
 }

@@ -1,6 +1,6 @@
 /** Several σ that are wrong, or that nobody has said of a log: they are found together. */
 
-import { named } from './verdict.js'
+import { named } from './named.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
 /** @typedef {import('estimate-wasm').Parameter[]} Known */

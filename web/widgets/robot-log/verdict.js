@@ -2,6 +2,7 @@
 
 import { fixed } from '../../draw/numbers.js'
 import { odometrySentence } from './driven.js'
+import { NEAR, named } from './named.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { hides, sigmaKind, sigmaSentence } from './sigmas.js'
 import { biased, displaced, exchanged } from './misplaced.js'
@@ -13,8 +14,6 @@ import { startSentence } from './start.js'
 /** @typedef {Suspect['sizes'][number]} Size */
 /** @typedef {import('./looks.js').Log} Log */
 
-/** A suspect this near to the first, in log-likelihood, is named beside it. */
-const NEAR = 3
 const DEGREES = 180 / Math.PI
 
 /** What the rows of a sensor are called. */
@@ -54,7 +53,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
         `likelier than chance does${own.length > 0 ? ', but for what may be the motion model’s own' : ''}.` +
         (log?.motion === 'odometry' && !suspects.some(({ fault }) => fault === 'odometry') ? UNSOUGHT : '')
       : other
-        ? foreign(judgement)
+        ? foreign(judgement, truth, log)
         : sentences(judgement, truth, log),
     ...own.map((suspect) => model(suspect, judgement)),
     sound ? arcs(judgement) : '',
@@ -68,25 +67,11 @@ export function ranked(judgement, { rows, truth, log = null }) {
 /** Headings alone do not tell it. */
 const UNSOUGHT = ' A scale of the distances of O rows is not among them.'
 
-/**
- * The faults that a judgement names: none, one, or two where the readings do not tell which it is.
- * @param {LogJudgement} judgement
- */
-export function named({ suspects: [first, ...others], other }) {
-  if (!first || first.standing === 'cleared' || other) return []
-  if (first.standing === 'sure') return [first]
-  // What was held against the truth, and is not the first, mends nothing.
-  const rival = others.find(
-    ({ standing, excess, mended }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended,
-  )
-  return rival ? [first, rival] : [first]
-}
-
 /** @param {LogJudgement} judgement @param {boolean} truth @param {Log | null} log */
 function sentences(judgement, truth, log) {
   const { suspects, beside, pace } = judgement
   const [, ...others] = suspects
-  const [first, rival] = named(judgement)
+  const [first, rival] = named(judgement, log)
   const told = (/** @type {Suspect} */ suspect) => {
     const more = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : ''
     return `${sentence(suspect, truth, log)}${more && ` ${more}`}`
@@ -119,15 +104,18 @@ function bridged({ what, count, longest }) {
   )
 }
 
-/** What is wrong is none of the suspects. @param {LogJudgement} judgement */
-function foreign({ suspects, ungated, against }) {
+/**
+ * What is wrong is none of the suspects by itself.
+ * @param {LogJudgement} judgement @param {boolean} truth @param {Log | null} log
+ */
+function foreign({ suspects, ungated, against }, truth, log) {
   const [first] = suspects
-  const most = `Something is wrong that none of the ${suspects.length} faults that were looked for mends.`
+  const most = `Something is wrong that none of the ${suspects.length} faults that were looked for mends by itself.`
   if (!first.mended || !against) return most
   const from = `${fixed(first.mended.rmse, 2)} m from the truth, where it is ${fixed(against.rmse, 2)} m from it now`
   return (
-    `${most} The likeliest is ${kind(first)}; mended so, the estimate would be ` +
-    `${from}${ungated ? ' without the gate' : ''} (RMS).`
+    `${most} The likeliest is this: ${sentence(first, truth, log)} Mended so, the estimate would be ` +
+    `${from}${ungated ? ' without the gate' : ''} (RMS): another fault may hide behind it.`
   )
 }
 

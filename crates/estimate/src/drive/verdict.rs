@@ -38,6 +38,9 @@ pub const MOST_JUDGED: u32 = 200_000;
 /// A sound log has a fault named with this probability, where its start is as uncertain as it is said to be.
 const CHANCE: f64 = 0.03;
 
+/// What the truth does not refuse is named where it has this share of the evidence of all that it refuses.
+const HALF: f64 = 0.5;
+
 /// A verdict on a log, suspect by suspect.
 ///
 /// # Example
@@ -226,11 +229,16 @@ impl Verdict {
         self.suspects.append(&mut self.own);
     }
 
-    /// Mends the likeliest suspects until the truth does not say that it is none, and puts that one first.
+    /// Mends the likeliest suspects until the truth does not say that it is none, and puts that one first; not where
+    /// the readings tell far more of one that the truth refuses: two faults may hide one another from it.
     fn hold_against_the_truth(&mut self, drive: &Drive, places: &[Trial]) {
         let Some(before) = self.against else { return };
         let likely = self.suspects.iter().take_while(|suspect| suspect.excess > 0.0).count();
+        let least = HALF * self.suspects.iter().take(likely).map(|it| it.excess).fold(0.0, f64::max);
         for (i, place) in places.iter().enumerate().take(likely) {
+            if self.suspects[i].excess < least {
+                continue;
+            }
             let mended =
                 Evidence::new(drive, &as_mended(place, &self.own), self.scope.rows).ok().and_then(|it| it.against);
             self.suspects[i].mended = mended;

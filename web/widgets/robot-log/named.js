@@ -1,0 +1,37 @@
+/** Which of the suspects of a verdict are named. */
+
+/** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
+/** @typedef {import('estimate-wasm').LogSuspect} Suspect */
+/** @typedef {import('./looks.js').Log} Log */
+
+/** A suspect this near to the first, in log-likelihood, is named beside it. */
+export const NEAR = 3
+
+/** What is likeliest where nothing mends by itself. @param {LogJudgement} judgement */
+export const likeliest = ({ suspects: [first], other }) => (other && first ? [first] : [])
+
+/**
+ * The landmarks that the page has mended so before: of two faults of one, that is mended once more before another is
+ * named.
+ * @param {Suspect['fault']} fault @param {Log | null} log @returns {number[][]}
+ */
+const mended = (fault, log) =>
+  (fault === 'displaced' ? log?.corrections?.landmarks : fault === 'landmark-bias' ? log?.corrections?.ranges : null) ??
+  []
+
+/**
+ * The faults that a judgement names: none, one, or two where the readings do not tell which it is.
+ * @param {LogJudgement} judgement @param {Log | null} [log]
+ */
+export function named({ suspects: [first, ...others], other }, log = null) {
+  if (!first || first.standing === 'cleared' || other) return []
+  if (first.standing === 'sure') return [first]
+  // What was held against the truth, and is not the first, mends nothing.
+  const rival = others.find(
+    ({ standing, excess, mended }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended,
+  )
+  if (!rival) return [first]
+  const [id] = first.landmarks ?? []
+  const before = [first, rival].filter(({ fault }) => mended(fault, log).some(([one]) => one === id))
+  return before.length === 1 && rival.landmarks?.[0] === id ? before : [first, rival]
+}
