@@ -8,6 +8,10 @@ export const claims = () => {
       text.replace(/ × 10(.+)/, (_, power) => `e${[...power].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(digit)).join('')}`),
     )
   const sizes = (directions) => directions.length
+  // Seen by less than the digits: an eigenvalue other than 0 stays whatever the gain.
+  const hardly = ({ observable, eigenvalues }) =>
+    observable === 'yes' && eigenvalues.some(({ fixed, modulus }) => fixed && modulus > 1e-6)
+  const open = (frame) => frame.observable === 'undecided' || hardly(frame)
   const apart = (list) => list.split(/, | and /).length
   return [
     [
@@ -26,7 +30,7 @@ export const claims = () => {
     ],
     [
       /^Observable: the readings tell every direction of the state\.$/,
-      ({ observable, rank }) => observable === 'yes' && rank.rank === 2 && rank.directions.length === 0,
+      (frame) => frame.observable === 'yes' && !hardly(frame) && frame.rank.rank === 2,
     ],
     [
       /^Not observable: the rank is full only because rounding errors exceed so small a tolerance\.$/,
@@ -34,7 +38,7 @@ export const claims = () => {
     ],
     [
       /^The rank is full, but whether the system is observable is undecided within the tolerance of (\S.*)\.$/,
-      ({ observable, rank }) => observable === 'undecided' && rank.rank === 2,
+      (frame) => open(frame) && frame.rank.rank === 2,
     ],
     [
       pattern(
@@ -56,7 +60,7 @@ export const claims = () => {
         /^(.*) (count|counts) as unseen: less is read of it than the tolerance of (\S.*), /,
         /so whether the system is observable is undecided\.$/,
       ),
-      ({ observable, rank }, list) => observable === 'undecided' && apart(list) === sizes(rank.directions),
+      (frame, list) => open(frame) && apart(list) === sizes(frame.rank.directions),
     ],
     [
       pattern(
@@ -202,8 +206,7 @@ export const claims = () => {
         /^More digits of the numbers, or a smaller tolerance where they are exact, /,
         /may decide what is undecided\.$/,
       ),
-      ({ observable, detectable, noise, badlyScaled }) =>
-        !badlyScaled && [observable, detectable, noise.reachable].includes('undecided'),
+      (frame) => !frame.badlyScaled && (open(frame) || [frame.detectable, frame.noise.reachable].includes('undecided')),
     ],
     [
       pattern(

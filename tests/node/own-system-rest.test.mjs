@@ -253,3 +253,21 @@ test('what rounded numbers leave undecided is said so of the limit and of times,
   assert.notEqual(typed.detectable, 'undecided')
   assert.doesNotMatch(verdict(typed), /undecided/)
 })
+
+/** A mode of 0.95 that no reading sees, in turned coordinates of nine digits. */
+const NINE =
+  'F = [0.908484138 0.543964982 0.093348769 -0.346747591; 0.0415564517 0.725224718 0.0179349168 0.0568416475; ' +
+  '-0.175265977 -0.793503177 0.757803494 0.898984906; -7.107029e-06 -0.029097727 0.00974321695 0.95848765]; ' +
+  'H = [0.653767421 1.40636567 0.326535782 -2.07910835]; V = eye(4); W = 0.1; T = 0.1'
+
+test('a system that is observable by less than its digits is not said to be', () => {
+  const frame = pasted(NINE)
+  assert.deepEqual([frame.observable, frame.movable], ['yes', 3], 'its numbers as they are written are')
+  assert.equal(readouts(frame).find((/** @type {any} */ one) => one.key === 'observable')?.value, 'undecided')
+  assert.match(verdict(frame), /whether the system is observable is undecided\. .* More digits of the numbers/)
+  // What F forgets stays at 0, whatever is seen of it.
+  assert.match(
+    verdict(pasted('F = [0 1; 0 0]; H = [1 0]; V = eye(2); W = 0.1')),
+    /^Observable: the readings tell every/,
+  )
+})

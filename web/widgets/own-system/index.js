@@ -14,7 +14,7 @@ import { MOST, PRESETS, paramsOf, runOf } from './presets.js'
 import { drawRanks } from './ranks.js'
 import { buildShown } from './shown.js'
 import { same } from './typed-system.js'
-import { endIsOpen, limitIsOpen } from './undecided.js'
+import { endIsOpen, limitIsOpen, observed } from './undecided.js'
 import { describe, rootsOf, settles, shownState, verdict } from './words.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
@@ -59,7 +59,7 @@ function readouts(frame) {
             : 'needs a step’s length',
     },
     { key: 'rank', label: 'Rank', value: `${rank.rank} of ${params.states}` },
-    { key: 'observable', label: 'Observable', value: frame.observable },
+    { key: 'observable', label: 'Observable', value: observed(frame) },
     { key: 'detectable', label: 'Detectable', value: frame.detectable },
     { key: 'noise', label: 'Noise reaches all', value: noise.reachable },
     { key: 'stabilizable', label: 'Stabilizable by noise', value: noise.stabilizable },

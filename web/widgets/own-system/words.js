@@ -2,7 +2,7 @@
 
 import { fixed, power } from '../../draw/numbers.js'
 import { counted, decimalsOf, seconds, steps, sumsOf } from './names.js'
-import { endIsOpen, limitIsOpen, wouldDecide } from './undecided.js'
+import { endIsOpen, limitIsOpen, observed, wouldDecide } from './undecided.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
 
@@ -28,8 +28,9 @@ function lost({ conditioned }) {
 }
 
 /** @param {Frame} frame */
-function seen({ rank, observable, badlyScaled, params, tolerance }) {
-  const n = params.states
+function seen(frame) {
+  const { rank, badlyScaled, params, tolerance } = frame
+  const [n, observable] = [params.states, observed(frame)]
   if (rank.rank === n && observable === 'no')
     return 'Not observable: the rank is full only because rounding errors exceed so small a tolerance.'
   if (rank.rank === n)
