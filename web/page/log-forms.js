@@ -63,11 +63,11 @@ export class Forms {
     }
     /**
      * Finds several σ together, whatever outliers there are.
-     * @param {string[]} only @param {(done: number) => void} told
+     * @param {string[]} only @param {(told: { done: number, of: number }) => void} told
      */
     this.fitTogether = (only, told) => {
       const { run: running } = host.figure
-      running.onfitting = (/** @type {{ done: number }} */ { done }) => told(done)
+      running.onfitting = told
       return running.fit({ only, from: { gate: GATE } })
     }
     this.stopFit = () => host.figure?.run?.stop('fit')

@@ -17,7 +17,7 @@ import { remedies } from './log-remedy.js'
  * @property {(patch: Patch) => void} change
  * @property {() => boolean} may whether the page has the files of the log
  * @property {(corrections: Corrections) => Promise<void>} reread how these are read otherwise
- * @property {(names: string[], progress: (done: number) => void) => Promise<any>} fit
+ * @property {(names: string[], progress: (told: { done: number, of: number }) => void) => Promise<any>} fit
  * @property {() => void} stop the fit
  */
 
@@ -33,6 +33,8 @@ export class MendBar {
     this.presses = part(document, this.box, 'span', '')
     this.words = part(document, this.box, 'span', 'log-fitting')
     this.words.setAttribute('role', 'status')
+    this.bar = /** @type {HTMLProgressElement} */ (part(document, this.box, 'progress', ''))
+    this.bar.setAttribute('aria-label', 'Fit')
     this.end = button(document, this.box, 'Cancel', () => this.cancel())
     this.undoing = button(document, this.box, 'Undo', () => this.undo())
     /** What the presses are of. @type {LogJudgement | null} */
@@ -67,9 +69,10 @@ export class MendBar {
     if (set.some(([name, value]) => !same(wanted[name], value))) this.taken = []
     // While the next verdict is looked for, the presses keep their places and wait: nothing moves under the finger.
     // A fit of settings that the reader has changed meanwhile is of no use.
-    if (judging) this.giveUp()
-    if (judging) this.wait()
-    else if (judgement !== this.judgement) this.fill(judgement, frame, wanted)
+    if (judging) {
+      this.giveUp()
+      this.wait()
+    } else if (judgement !== this.judgement) this.fill(judgement, frame, wanted)
     this.hide()
   }
 
@@ -113,8 +116,12 @@ export class MendBar {
     this.hide()
     this.end.focus({ preventScroll: true })
     this.wait()
-    this.say(0)
-    const answer = await this.orders.fit(names, (done) => this.say(done))
+    this.words.textContent = 'Fitting …'
+    this.bar.removeAttribute('value')
+    const answer = await this.orders.fit(names, ({ done, of }) => {
+      this.bar.max = of
+      this.bar.value = done
+    })
     if (this.fitting !== remedy) return
     this.fitting = null
     if (answer.kind !== 'fit') return this.free(answer.message ?? answer.why ?? GIVEN_UP)
@@ -138,11 +145,6 @@ export class MendBar {
   cancel() {
     this.giveUp()
     this.free(GIVEN_UP)
-  }
-
-  /** How far a fit has come. @param {number} done replays */
-  say(done) {
-    this.words.textContent = `Fitting: ${done.toLocaleString('en')} ${done === 1 ? 'replay' : 'replays'} …`
   }
 
   giveUp() {
@@ -188,7 +190,7 @@ export class MendBar {
   }
 
   hide() {
-    this.end.hidden = !this.fitting
+    this.end.hidden = this.bar.hidden = !this.fitting
     this.undoing.hidden = this.taken.length === 0 || Boolean(this.fitting)
     this.box.hidden = this.undoing.hidden && !this.presses.hasChildNodes()
   }
