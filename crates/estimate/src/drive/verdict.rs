@@ -38,7 +38,7 @@ pub const MOST_JUDGED: u32 = 200_000;
 /// A sound log has a fault named with this probability, where its start is as uncertain as it is said to be.
 const CHANCE: f64 = 0.03;
 
-/// What the truth does not refuse is named where it has this share of the evidence of all that it refuses.
+/// What the truth does not refuse is named where it has this share of the evidence of all that it has refused before.
 const HALF: f64 = 0.5;
 
 /// A verdict on a log, suspect by suspect.
@@ -234,18 +234,17 @@ impl Verdict {
     fn hold_against_the_truth(&mut self, drive: &Drive, places: &[Trial]) {
         let Some(before) = self.against else { return };
         let likely = self.suspects.iter().take_while(|suspect| suspect.excess > 0.0).count();
-        let least = HALF * self.suspects.iter().take(likely).map(|it| it.excess).fold(0.0, f64::max);
+        let mut refused = 0.0_f64;
         for (i, place) in places.iter().enumerate().take(likely) {
-            if self.suspects[i].excess < least {
-                continue;
-            }
             let mended =
                 Evidence::new(drive, &as_mended(place, &self.own), self.scope.rows).ok().and_then(|it| it.against);
             self.suspects[i].mended = mended;
-            if mended.is_none_or(|after| !refuted(self.suspects[i].fault, &before, &after)) {
+            let Suspect { fault, excess, .. } = self.suspects[i];
+            if excess >= HALF * refused && mended.is_none_or(|after| !refuted(fault, &before, &after)) {
                 self.suspects[..=i].rotate_right(1);
                 return;
             }
+            refused = refused.max(excess);
             self.suspects[i].standing = Standing::Maybe;
         }
         self.other = likely > 0;
