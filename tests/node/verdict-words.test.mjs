@@ -254,3 +254,13 @@ test('a start is said with how well it is known, and far from its origin with it
     /set the start to 4430123\.456 ± 0\.012 m, 5333\.10 ± 0\.30 m and 57\.3 ± 5\.7°\.$/,
   )
 })
+
+test('of a delay of a step or two half a step may be the motion model’s own, and that is said', () => {
+  const late = (/** @type {number} */ value) => suspect({ sizes: [{ now: 0, value, sigma: 0.0093, end: false }] })
+  const said = (/** @type {number} */ value) => ranked(judgement([late(value)], { period: 0.05 }), log)
+  assert.match(
+    said(-0.0511),
+    /set the delay to .*\. Half a step between rows of motion, 0\.025 s of it, may be the motion/,
+  )
+  assert.doesNotMatch(said(0.35), /Half a step/)
+})

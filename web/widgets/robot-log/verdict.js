@@ -69,11 +69,11 @@ const UNSOUGHT = ' A scale of the distances of O rows is not among them.'
 
 /** @param {LogJudgement} judgement @param {boolean} truth @param {Log | null} log */
 function sentences(judgement, truth, log) {
-  const { suspects, beside, pace } = judgement
+  const { suspects, beside, pace, period } = judgement
   const [, ...others] = suspects
   const [first, rival] = named(judgement, log)
   const told = (/** @type {Suspect} */ suspect) => {
-    const more = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : ''
+    const more = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : inPart(suspect, period)
     return `${sentence(suspect, truth, log)}${more && ` ${more}`}`
   }
   // A larger σ explains any error of the model, and with it this one gains less than the page's own sum shows.
@@ -127,6 +127,15 @@ function model(suspect, { period }) {
     `${late(suspect, off)}: less than half a step of ${brief(period)} s between rows of motion. ` +
     'That may be the motion model’s own, which holds what it reads for a step, drives it straight and turns then.'
   )
+}
+
+/**
+ * What of a delay of a step or two the motion model may have as its own.
+ * @param {Suspect} suspect @param {number} period
+ */
+function inPart({ fault, sizes: [size] }, period) {
+  if (fault !== 'clock' || Math.abs(size.value - size.now) > 2 * period) return ''
+  return `Half a step between rows of motion, ${brief(period / 2)} s of it, may be the motion model’s own.`
 }
 
 /** What a robot that turns on its way would bring. @param {LogJudgement} judgement */
