@@ -152,7 +152,14 @@ export async function figure(page, name) {
   const tag = tagOf(name)
   const element = page.locator(tag).first()
   await element.scrollIntoViewIfNeeded()
-  await page.locator(`${tag}[data-state="live"]`).first().waitFor()
+  // A word that was pressed before may scroll once more, away from it: far from the window it does not come alive.
+  await page.waitForFunction((of) => {
+    const it = document.querySelector(of)
+    if (it.dataset.state === 'live') return true
+    const { top, bottom } = it.getBoundingClientRect()
+    if (bottom < 0 || top > innerHeight) it.scrollIntoView({ block: 'nearest', behavior: 'instant' })
+    return false
+  }, tag)
   // One that opens small in the text is looked at as a whole; how it grows is a test of its own.
   await element.evaluate((it) => {
     if (it.dataset.stage) it.dataset.stage = '3'
