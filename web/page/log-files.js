@@ -68,7 +68,9 @@ export class FileForm {
     this.box.replaceChildren()
     // A log in the book's own format says itself what it is.
     if (files.every(({ role, header }) => role === 'log' && header.length === 0)) return
-    for (const [i, file] of files.entries()) this.showFile(i, file)
+    // A table that is read once more stands beneath itself.
+    const order = [...files.entries()].sort(([i, a], [j, b]) => (a.again ?? i) - (b.again ?? j) || i - j)
+    for (const [i, file] of order) this.showFile(i, file)
     const find = (/** @type {string} */ key) => this.box.querySelector(`[data-key="${key}"]`)
     // An answer's button is gone once it was pressed: what was chosen stands in the list.
     const again = focused && (find(focused) ?? find(focused.replace(/ read as .*$/, ' read as')))

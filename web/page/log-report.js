@@ -13,6 +13,14 @@ import { headsOf, rowsOf } from './log-sources.js'
 /** @typedef {import('../widgets/robot-log/looks.js').Frame} Frame */
 /** @typedef {import('../draw/words.js').Words} Words */
 
+/** What the tables hold. */
+const HOLDS = {
+  track:
+    'track.csv: the estimate at each row of motion, before the readings of its time, as it is held against a truth.',
+  innovations: 'innovations.csv: what the filter made of each reading, and behind it the estimate after that reading.',
+  log: 'log.csv: the log in this book’s format, as the page reads it.',
+}
+
 export class Report {
   /**
    * @param {HTMLElement} into
@@ -32,6 +40,11 @@ export class Report {
     this.note = part(document, actions, 'span', 'log-note')
     this.note.setAttribute('role', 'status')
     this.box = part(document, into, 'div', 'log-tables')
+  }
+
+  /** Says what a table that was saved holds. @param {'track' | 'innovations' | 'log'} kind */
+  saved(kind) {
+    this.say(HOLDS[kind])
   }
 
   /** @param {string} words */

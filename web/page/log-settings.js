@@ -13,8 +13,9 @@ import { NONE, areCorrections, isCorrected, numbers, plain } from './log-correct
 /**
  * @typedef {{
  *   name: string, role: string, header: string[], values: Record<string, SavedValue>, wheels: LogFile['wheels'],
- *   only?: string | null, frame?: string, origin?: [number, number],
- * }} SavedFile with `only` where a column tells the rows of several robots apart, and it was said whose are read,
+ *   only?: string | null, frame?: string, origin?: [number, number], again?: number,
+ * }} SavedFile with `again`, of which of the files it is another reading,
+ * `only` where a column tells the rows of several robots apart, and it was said whose are read,
  * `frame` where it was said which frame and clock a truth has, and `origin` where that is at a point
  */
 /**
@@ -50,7 +51,7 @@ export const isSettings = async (file) =>
 export function settingsText(params, files, contents = null) {
   const saved = files
     .filter(({ role }) => role !== 'log')
-    .map(({ name, role, header, values, wheels, several, frame }) => ({
+    .map(({ name, role, header, values, wheels, several, frame, again }) => ({
       name,
       role,
       header,
@@ -61,6 +62,7 @@ export function settingsText(params, files, contents = null) {
         ]),
       ),
       wheels,
+      ...(again === null ? {} : { again }),
       ...(several && !several.asked ? { only: several.only } : {}),
       ...(frame?.said ? { frame: frame.said } : {}),
       ...(frame?.origin ? { origin: frame.origin } : {}),
@@ -170,11 +172,11 @@ function setting(value, { name, default: usual, least, greatest }) {
     throw new Error(`${where}; it is a number between ${least} and ${greatest}.`)
 }
 
-/** @param {any} it @param {number} i */
-function file(it, i) {
+/** @param {any} it @param {number} i @param {any[]} all */
+function file(it, i, all) {
   const where = `files[${i}]`
   const names = ['name', 'role', 'header', 'values', 'wheels']
-  only(it, [...names, 'only', 'frame', 'origin'], where, names)
+  only(it, [...names, 'only', 'frame', 'origin', 'again'], where, names)
   if (it.frame !== undefined && !FRAMES.includes(it.frame)) throw new Error(`${where}.frame is ${shown(it.frame)}.`)
   if ((it.frame === 'at') !== numbers(it.origin, 2)) throw new Error(`${where}.origin is ${shown(it.origin)}.`)
   if (it.only !== undefined && it.only !== null && typeof it.only !== 'string')
@@ -191,6 +193,9 @@ function file(it, i) {
       throw new Error(`${where}.values.${name}: column ${shown(column)} is not called ${shown(header)}.`)
     if (unit !== null && typeof unit !== 'string') throw new Error(`${where}.values.${name}.unit is no text.`)
   }
+  const { again } = it
+  if (again !== undefined && !(Number.isInteger(again) && again >= 0 && again < i && all[again].again === undefined))
+    throw new Error(`${where}.again is ${shown(again)}; it is the place of a file before it.`)
   if (it.wheels !== null) only(it.wheels, WHEELS, `${where}.wheels`, WHEELS)
 }
 
@@ -201,13 +206,16 @@ function file(it, i) {
  * @returns {Change | null}
  */
 export function nextChange(saved, files) {
-  const places = saved.map((one) => placeOf(one, files))
-  const lost = saved[places.indexOf(-1)]
+  const places = saved.map((one) => placeOf(one, saved, files))
+  const lost = saved.find(({ again }, i) => places[i] < 0 && again === undefined)
   if (lost) throw new NotOpen(`no open file is called ${lost.name} or has its columns.`)
   for (const [i, one] of saved.entries()) {
-    const change = changeOf(one, files[places[i]])
+    const change = places[i] < 0 ? null : changeOf(one, files[places[i]])
     if (change) return { file: places[i], ...change }
   }
+  // A table is read once more where its role says so, which may have been set just now.
+  const none = saved[places.indexOf(-1)]
+  if (none) throw new Error(`the open files have no ${none.name}.`)
   return null
 }
 
@@ -226,11 +234,17 @@ export function isSameLog({ files: saved, log }, files, contents) {
   throw new NotOpen(`it is of a log from ${tables}. ${open} is in the book’s own format and ${other}.`)
 }
 
-/** @param {SavedFile} one @param {LogFile[]} files */
-function placeOf({ name, header }, files) {
-  const named = files.findIndex((file) => file.name === name)
+/** @param {SavedFile} one @param {SavedFile[]} saved @param {LogFile[]} files @returns {number} */
+function placeOf({ name, header, again }, saved, files) {
+  if (again !== undefined) {
+    const of = placeOf(saved[again], saved, files)
+    const what = name.slice(saved[again].name.length)
+    return files.findIndex((file) => file.again === of && file.name === `${files[of].name}${what}`)
+  }
+  const added = files.filter((file) => file.again === null)
+  const named = added.findIndex((file) => file.name === name)
   if (named >= 0) return named
-  const alike = files.flatMap((file, i) => (JSON.stringify(file.header) === JSON.stringify(header) ? [i] : []))
+  const alike = added.flatMap((file, i) => (JSON.stringify(file.header) === JSON.stringify(header) ? [i] : []))
   return alike.length === 1 ? alike[0] : -1
 }
 

@@ -256,7 +256,8 @@ class OwnLog {
    */
   understood({ set, contents, files, parameters }, other, asks) {
     this.held = set
-    const names = files.map((/** @type {any} */ { name }) => name)
+    const added = files.filter((/** @type {any} */ { again }) => again === null)
+    const names = added.map((/** @type {any} */ { name }) => name)
     this.hold(contents, names)
     const told = this.forms.begin(contents, parameters, other, names)
     this.answer.say(`${this.facts()}${contents.opening ? ' The filter starts where the first fixes say.' : ''}`)
@@ -281,7 +282,8 @@ class OwnLog {
     const run = await this.run()
     const { text, message } = await run.table(kind)
     const rows = text && kind === 'log' ? written(text, run.contents.corrections) : text
-    if (rows) save(`${kind}.csv`, 'text/csv', rows)
-    else this.report.say(message)
+    if (!rows) return this.report.say(message)
+    save(`${kind}.csv`, 'text/csv', rows)
+    this.report.saved(kind)
   }
 }

@@ -2,7 +2,7 @@
 
 use crate::encode::{list, record};
 use js_sys::Array;
-use robot_log::{Counting, Error, File, Frame, Own, Rigid, Role, WHEEL_NUMBERS, units_of};
+use robot_log::{Counting, Error, File, Files, Frame, Own, Rigid, Role, WHEEL_NUMBERS, units_of};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -81,10 +81,15 @@ export interface LogFault {
 export interface LogFile {
     name: string;
     role: LogRole;
+    /**
+     * Where among the files the one stands that is read once more as this one, as a table is that holds the motion,
+     * ranges or positions besides; null of a file that was added.
+     */
+    again: number | null;
     /** What its columns are called; empty of a log in the book's own format. */
     header: string[];
     values: LogValue[];
-    /** The columns from which nothing is read, counted from 0. */
+    /** The columns from which nothing is read, here or where the file is read once more, counted from 0. */
     unread: number[];
     /** What encoders need besides; null of another file. */
     wheels: LogWheels | null;
@@ -155,7 +160,8 @@ fn own(own: &Own) -> JsValue {
 
 /// How a file is read. Of one in the book's own format that is the whole log, whether it is wrong is said where it is
 /// read.
-pub(crate) fn shown(file: &File, whole: bool) -> JsValue {
+pub(crate) fn shown(files: &Files, at: usize) -> JsValue {
+    let (file, whole) = (&files.files()[at], files.files().len() == 1);
     let columns = file.columns().iter().zip(file.units());
     let values = file.role().values().iter().zip(columns).enumerate().map(|(i, (value, (column, unit)))| {
         record(&[
@@ -182,9 +188,10 @@ pub(crate) fn shown(file: &File, whole: bool) -> JsValue {
     record(&[
         ("name", file.name().into()),
         ("role", file.role().name().into()),
+        ("again", file.again().map_or(JsValue::NULL, |of| (of as u32).into())),
         ("header", texts(file.header())),
         ("values", values.collect::<Array>().into()),
-        ("unread", file.unread().into_iter().map(|at| JsValue::from(at as u32)).collect::<Array>().into()),
+        ("unread", files.unread(at).into_iter().map(|at| JsValue::from(at as u32)).collect::<Array>().into()),
         ("several", several(file)),
         ("wheels", if file.role() == Role::Encoders { wheels() } else { JsValue::NULL }),
         ("needs", texts(file.needs())),

@@ -46,8 +46,7 @@ impl LogFiles {
     pub fn files(&self) -> Result<JsValue, Thrown> {
         self.0.write(FILES, |files: &mut Files| {
             files.compare();
-            let files = files.files();
-            Ok::<_, Error>(files.iter().map(|file| shown(file, files.len() == 1)).collect::<Array>().into())
+            Ok::<_, Error>((0..files.files().len()).map(|at| shown(files, at)).collect::<Array>().into())
         })
     }
 

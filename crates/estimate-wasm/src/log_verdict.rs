@@ -53,7 +53,10 @@ export interface LogSuspect {
     excess: number;
     /** Whether it is the one, may be one, or is no likelier than chance explains. */
     standing: 'sure' | 'maybe' | 'cleared';
-    /** Whether it is the motion model's own: a delay of at most half a step between rows of motion. It is cleared. */
+    /**
+     * Whether it may be the motion model's own half a step between rows of motion: a delay of at most that is cleared,
+     * and a longer one may be it where half a step and chance make the readings as likely.
+     */
     own: boolean;
     /** From where to where the likelihood of a delay is the same, where the motion has too few rows to tell more. */
     flat: [number, number] | null;

@@ -65,7 +65,7 @@ impl File {
                 Ok(line) => line,
                 Err(fault) => return Some(fault),
             };
-            if !source.is_read(&line) {
+            if !source.is_read(&line) || source.says_nothing(&line) {
                 return None;
             }
             parse::check_text(&line).err().or_else(|| {

@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::evidence;
 use crate::fields::Line;
 use crate::guess;
+use crate::holds::Again;
 use crate::notes;
 use crate::order::Order;
 use crate::parse;
@@ -18,22 +19,25 @@ use crate::stamp;
 use crate::table::Table;
 use crate::unit::{self, Unit};
 use crate::wheels::{Counting, Wheels, needed};
+use std::sync::Arc;
 
 /// A file of a log, and how it is read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct File {
     name: String,
-    text: String,
+    text: Arc<str>,
     pub(crate) source: Source,
+    /// Of which file it is another reading.
+    pub(crate) again: Option<Again>,
 }
 
 impl File {
     /// A file, and a guess how it is read.
     pub(crate) fn new(name: &str, text: &str) -> Self {
         // Some spreadsheets end a line with a carriage return alone.
-        let text = if text.contains('\n') { text.to_string() } else { text.replace('\r', "\n") };
+        let text: Arc<str> = if text.contains('\n') { text.into() } else { text.replace('\r', "\n").into() };
         let source = guess::guess(name, &text);
-        let mut file = Self { name: name.to_string(), text, source };
+        let mut file = Self { name: name.to_string(), text, source, again: None };
         file.tell_apart();
         file
     }
@@ -49,6 +53,10 @@ impl File {
             (source.several, source.only) = (found, None);
         }
         self.source.order = self.find_order();
+    }
+
+    pub(crate) fn rename(&mut self, name: String) {
+        self.name = name;
     }
 
     /// Its name.
@@ -279,7 +287,7 @@ impl File {
             none = false;
             let line = line.map_err(|e| e.within(index))?;
             parse::check_text(&line).map_err(|e| e.within(index))?;
-            if source.is_read(&line) {
+            if source.is_read(&line) && !source.says_nothing(&line) {
                 take(Cells { file: index, line: &line, source, absent: &absent, jumps: &jumps })?;
             }
         }

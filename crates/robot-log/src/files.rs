@@ -1,6 +1,7 @@
 //! The files of a log as others write them: the five of a UTIAS MRCLAM data set, or plain tables of motion, sightings,
 //! landmarks and truth.
 
+use crate::again::{added, again};
 use crate::beside;
 use crate::corrections::Corrections;
 use crate::error::Error;
@@ -43,8 +44,8 @@ impl Files {
     /// There are [`MAX_FILES`] files already, or together they are larger than [`MAX_BYTES`]. The fault stands in no
     /// line.
     pub fn add(&mut self, name: &str, text: &str) -> Result<(), Error> {
-        let at = self.files.len();
-        let bytes = self.files.iter().map(|file| file.text().len()).sum::<usize>() + text.len();
+        let at = added(&self.files);
+        let bytes = self.files[..at].iter().map(|file| file.text().len()).sum::<usize>() + text.len();
         let refuse = |message: String| Err(Error::of_all(message).within(at));
         if at == MAX_FILES {
             return refuse(format!("a log has at most {MAX_FILES} files, and these are more"));
@@ -52,14 +53,23 @@ impl Files {
         if bytes > MAX_BYTES {
             return refuse(format!("the log has {bytes} bytes; at most {MAX_BYTES} were expected"));
         }
-        self.files.push(File::new(name, text));
+        self.files.insert(at, File::new(name, text));
         beside::names(&mut self.files, None);
+        self.read_again();
         beside::speeds(&mut self.files, None);
         self.changed();
         Ok(())
     }
 
-    /// The files in the order in which they were added.
+    /// Reads tables once more that hold several things.
+    fn read_again(&mut self) {
+        for new in again(&mut self.files) {
+            beside::speeds(&mut self.files, Some(new));
+        }
+    }
+
+    /// The files in the order in which they were added. Behind them are those that are read once more, as tables are
+    /// that hold the motion, ranges or positions besides ([`File::again`]).
     pub fn files(&self) -> &[File] {
         &self.files
     }
@@ -69,6 +79,7 @@ impl Files {
         let known = self.files.get_mut(file).map(|file| file.set_role(role)).is_some();
         beside::names(&mut self.files, Some(file));
         beside::speeds(&mut self.files, Some(file));
+        self.read_again();
         self.changed();
         known
     }
@@ -226,7 +237,8 @@ impl Files {
                         reading
                             .say(vec![format!("{name}: read as {}, it has no row that says anything.", role.name())]);
                     }
-                    reading.end_file(file.name(), file.words());
+                    let shared = file.again.is_some() || self.files.iter().any(|it| it.again() == Some(i));
+                    reading.end_file(file.name(), file.words(), shared);
                     reading.say(file.notes());
                 }
             }

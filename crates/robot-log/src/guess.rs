@@ -126,20 +126,8 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         };
         return (if has("barcode", Quantity::Number) && landmark { Role::Barcodes } else { role }, None);
     }
-    // True north, and the course from there, are no truth.
-    let of_truth = |name: &Name| {
-        let of_north = name.has("true") && name.has_one(&["heading", "hdg", "north", "course", "track", "bearing"]);
-        name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]) && !of_north
-    };
-    let is_true = said.contains(&Role::Truth) || names.iter().any(of_truth);
-    let wheel = [
-        "encoder", "enc", "ticks", "tick", "wheel", "count", "counts", "rad", "impulse", "rpm", "v", "vel", "velocity",
-        "speed",
-    ];
-    let of_wheels = ["encoder", "wheel", "odom"].iter().any(|word| file.contains(word));
-    let side = |value| candidates(value, Quantity::Wheel, names);
-    let of_wheel = |at: &usize| of_wheels || names[*at].has_one(&wheel) || names[*at].base(Quantity::Wheel).len() == 1;
-    let encoders = side("left").iter().any(of_wheel) && side("right").iter().any(of_wheel);
+    let is_true = said.contains(&Role::Truth) || is_true(names);
+    let encoders = encoders(names, &file);
     let sightings = landmark && has("range", Quantity::Length);
     let odometry = has("distance", Quantity::Length) && has("turn", Quantity::Angle);
     // Places are the truth or a sensor's.
@@ -156,12 +144,9 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if v && omega && !place => certain(Role::Velocities),
         () if v && omega && is_own_pose(names) => certain(Role::Velocities),
         () if odometry && !place => certain(Role::Odometry),
-        () if (place || fix) && is_true && !(v && omega) => certain(Role::Truth),
+        () if (place || fix) && is_true && !(v && omega && said.contains(&Role::Truth)) => certain(Role::Truth),
         () if place && said.contains(&Role::Sensors) => certain(Role::Sensors),
-        () if place && (v || omega) => ask(
-            "Are x and y the true position, or what a sensor read? To read it as both, open it together with a copy \
-                 that has another name.",
-        ),
+        () if place && (v || omega) => ask("Are x and y the true position, or what a sensor read?"),
         () if place => ask("Are x and y the true position, or a sensor\u{2019}s fixes?"),
         () if sightings => certain(Role::Sightings),
         () if (v != omega) && !heading && !down && !axes && has_unknown(names) => {
@@ -169,6 +154,42 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         }
         () if v || omega || heading => certain(Role::Sensors),
         () => certain(said.first().copied().filter(|role| *role == Role::Ranges).unwrap_or(Role::Unused)),
+    }
+}
+
+/// Whether columns are called a true pose. True north, and the course from there, are none.
+pub(crate) fn is_true(names: &[Name]) -> bool {
+    names.iter().any(|name| {
+        let of_north = name.has("true") && name.has_one(&["heading", "hdg", "north", "course", "track", "bearing"]);
+        name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]) && !of_north
+    })
+}
+
+/// Whether there are an x and a y.
+pub(crate) fn is_place(names: &[Name]) -> bool {
+    ["x", "y"].iter().all(|value| !candidates(value, Quantity::Length, names).is_empty())
+}
+
+/// Whether there are the counts or speeds of two wheels.
+fn encoders(names: &[Name], file: &str) -> bool {
+    let wheel = [
+        "encoder", "enc", "ticks", "tick", "wheel", "count", "counts", "rad", "impulse", "rpm", "v", "vel", "velocity",
+        "speed",
+    ];
+    let of_wheels = ["encoder", "wheel", "odom"].iter().any(|word| file.contains(word));
+    let side = |value| candidates(value, Quantity::Wheel, names);
+    let of_wheel = |at: &usize| of_wheels || names[*at].has_one(&wheel) || names[*at].base(Quantity::Wheel).len() == 1;
+    side("left").iter().any(of_wheel) && side("right").iter().any(of_wheel)
+}
+
+/// As what a table's columns say how the robot moved.
+pub(crate) fn moving(names: &[Name], file: &str) -> Option<Role> {
+    let has = |value: &str, quantity| !candidates(value, quantity, names).is_empty();
+    match () {
+        () if encoders(names, &file.to_lowercase()) => Some(Role::Encoders),
+        () if has("v", Quantity::Speed) && has("omega", Quantity::AngleRate) => Some(Role::Velocities),
+        () if has("distance", Quantity::Length) && has("turn", Quantity::Angle) => Some(Role::Odometry),
+        () => None,
     }
 }
 

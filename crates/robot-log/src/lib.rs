@@ -37,6 +37,7 @@
 //! # Ok::<(), robot_log::Error>(())
 //! ```
 
+mod again;
 mod alignment;
 mod alone;
 mod axes;
@@ -60,6 +61,7 @@ mod gathering;
 mod guess;
 mod headed;
 mod heading;
+mod holds;
 mod jumps;
 mod lag;
 mod landmarks;

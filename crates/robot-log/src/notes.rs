@@ -102,7 +102,7 @@ impl Counts {
     }
 
     /// What was strange in a file.
-    pub fn notes(&self, name: &str) -> Vec<String> {
+    pub fn notes(&self, name: &str, shared: bool) -> Vec<String> {
         let Self { fixes, headings, missing, unknown, nowhere, without_sigma, .. } = self;
         let (missing, unknown, nowhere, without_sigma) = (*missing, *unknown, *nowhere, *without_sigma);
         let Self { zero, minus_one, infinite, .. } = *self;
@@ -120,7 +120,7 @@ impl Counts {
                  again in each row until the next one comes was measured once."
             ));
         }
-        if missing > 0 {
+        if missing > 0 && !shared {
             notes.push(format!("{name}: {} without a number left out.", readings(missing)));
         }
         let ranges = [(zero, "0"), (minus_one, "\u{2212}1"), (infinite, "infinity")];

@@ -62,12 +62,13 @@ impl LogReader {
         (self.turned, self.way) = (turned, Way::default());
     }
 
-    /// Ends a file, and says what was strange in it; so many lines above its rows were passed over.
-    pub fn end_file(&mut self, name: &str, words: usize) {
+    /// Ends a file, and says what was strange in it; so many lines above its rows were passed over. What a row does not
+    /// say is not missing where it is `shared` by several readings.
+    pub fn end_file(&mut self, name: &str, words: usize, shared: bool) {
         let kept = core::mem::take(&mut self.kept);
         self.files.push((name.into(), self.to.rows().len()));
         self.notes.extend(notes::words(name, words));
-        self.notes.extend(kept.notes(name));
+        self.notes.extend(kept.notes(name, shared));
         self.to.leave_out(kept.copies());
     }
 

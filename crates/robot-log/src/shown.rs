@@ -2,9 +2,24 @@
 //! there, and what answers the question of what the file is.
 
 use crate::file::File;
+use crate::files::Files;
 use crate::quaternion;
 use crate::role::Role;
 use crate::unit::QUATERNION;
+
+impl Files {
+    /// The columns of a file from which nothing is read, neither as what it is nor where it is read once more; none of
+    /// a file that is another read once more.
+    pub fn unread(&self, file: usize) -> Vec<usize> {
+        let files = self.files();
+        let Some(read) = files.get(file).filter(|it| it.again().is_none()) else { return Vec::new() };
+        let says = |it: &&File| it.again() == Some(file) && !matches!(it.role(), Role::Undecided | Role::Unused);
+        let again: Vec<Vec<usize>> = files.iter().filter(says).map(File::unread).collect();
+        let mut unread = read.unread();
+        unread.retain(|column| again.iter().all(|left| left.contains(column)));
+        unread
+    }
+}
 
 impl File {
     /// The columns from which nothing is read, in their order; none of a file that is no table or is not used.

@@ -1,6 +1,6 @@
 //! How a file of a log is read.
 
-use crate::fields::Line;
+use crate::fields::{Line, is_none};
 use crate::frames::{self, Frame};
 use crate::names::Name;
 use crate::order::Order;
@@ -71,6 +71,18 @@ impl Source {
     /// The column of a value.
     pub fn column(&self, value: &str) -> Option<usize> {
         self.columns[self.role.index(value)?]
+    }
+
+    /// Whether a row of motion has none: in a table that other sensors share its fields are then empty.
+    pub fn says_nothing(&self, line: &Line<'_>) -> bool {
+        let needed = match self.role {
+            Role::Velocities => ["v", "omega"],
+            Role::Odometry => ["distance", "turn"],
+            Role::Encoders => ["left", "right"],
+            _ => return false,
+        };
+        let field = |value: &&str| self.column(value).and_then(|at| line.fields.get(at));
+        needed.iter().all(|value| field(value).is_some_and(|field| is_none(field.text)))
     }
 
     /// Whether the column of a value has to be said, or its unit.

@@ -181,7 +181,7 @@ export class Server {
     } catch (error) {
       const { file = 0, line = 1, column = 1 } = /** @type {any} */ (error)
       const message = wordsOf(error).replace(/^line \d+, column \d+: /, '')
-      const from = line === 0 ? '' : lineOf(this.texts?.[file] ?? '', line)
+      const from = line === 0 ? '' : lineOf(this.texts?.[shown[file]?.again ?? file] ?? '', line)
       // A file that is missing is said before what others ask.
       const asked = line === 0 && shown[file]?.asks.some((/** @type {string} */ ask) => message.endsWith(ask))
       const mend = asked ? 'Answer below' : ''

@@ -43,7 +43,7 @@ const NAMES = {
 export function ranked(judgement, { rows, truth, log = null }) {
   const { suspects, readings, ungated, other } = judgement
   const [first] = suspects
-  const own = suspects.filter((suspect) => suspect.own)
+  const own = suspects.filter(({ own, standing }) => own && standing === 'cleared')
   const sound = first.standing === 'cleared'
   const parts = [
     ...(sound ? [] : judgement.gaps.map(bridged)),
@@ -133,9 +133,10 @@ function model(suspect, { period }) {
  * What of a delay of a step or two the motion model may have as its own.
  * @param {Suspect} suspect @param {number} period
  */
-function inPart({ fault, sizes: [size] }, period) {
+function inPart({ fault, own, sizes: [size] }, period) {
   if (fault !== 'clock' || Math.abs(size.value - size.now) > 2 * period) return ''
-  return `Half a step between rows of motion, ${brief(period / 2)} s of it, may be the motion model’s own.`
+  const half = `Half a step between rows of motion, ${brief(period / 2)} s of it, may be the motion model’s own`
+  return own ? `${half}, and chance explains what is left nearly as well: it may be no fault.` : `${half}.`
 }
 
 /** What a robot that turns on its way would bring. @param {LogJudgement} judgement */

@@ -17,6 +17,8 @@ const FOR_THE_CLAIM: f64 = 1.3;
 /// One with a NEES beyond this still has a fault, unless the error has fallen by this ratio meanwhile.
 const WILD: f64 = 20.0;
 const BETTER: f64 = 0.9;
+/// A delay of more steps than this is not the motion model's own.
+const MOST_OWN: f64 = 2.0;
 /// So many delays are looked at for stairs: those that a sentence may name.
 const NAMED: usize = 2;
 /// One whose NEES is what is expected, to within this logarithm, claims what it is: a σ is not refuted by so little.
@@ -95,12 +97,37 @@ pub(crate) fn as_mended(place: &Trial, own: &[Suspect]) -> Trial {
     mended
 }
 
-/// Whether a suspect is the motion model's own, with motion about every `period` seconds.
+/// The settings that a suspect delays, and by how much; `None` of what is no delay.
+fn delayed(suspect: &Suspect) -> Option<(Vec<Fitted>, f64)> {
+    let size = suspect.sizes.first().filter(|_| suspect.fault == Fault::Clock)?;
+    Some((suspect.tried().numbers(), size.value - size.now))
+}
+
+/// Whether a suspect is the motion model's own: a delay of at most half a step, with motion about every `period`
+/// seconds.
 pub(crate) fn is_own(suspect: &Suspect, period: f64) -> bool {
-    let delay = suspect.number.filter(|number| Fitted::is_delay(*number)).and(suspect.sizes.first());
     let half = 0.5 * period;
     // One that is not known to be longer is not.
-    delay.is_some_and(|size| (size.value - size.now).abs() <= half + (2.0 * size.sigma).min(0.3 * half))
+    let more = suspect.sizes.first().map_or(0.0, |size| (2.0 * size.sigma).min(0.3 * half));
+    delayed(suspect).is_some_and(|(_, off)| off.abs() <= half + more)
+}
+
+/// Says of delays of a step or two that the motion model's own half a step may be what they are, where they make the
+/// readings no likelier than that and chance do.
+pub(crate) fn may_be_own(drive: &Drive, suspects: &mut [Suspect], round: &Round, scope: &Scope, period: f64) {
+    for suspect in suspects.iter_mut().filter(|it| it.standing != Standing::Cleared) {
+        let Some((numbers, off)) = delayed(suspect).filter(|(_, off)| off.abs() <= MOST_OWN * period) else { continue };
+        let mut place = round.place;
+        for number in &numbers {
+            let half = number.get(&place.settings) + (0.5 * period).copysign(off);
+            number.set(&mut place.settings, half);
+        }
+        let by_half = Evidence::new(drive, &place, scope.rows).ok().zip(round.base.as_ref());
+        let by_half = by_half.map_or(0.0, |(evidence, base)| evidence.gain(base, scope.from));
+        if suspect.gain - by_half <= scope.chance[1] {
+            (suspect.own, suspect.standing) = (true, Standing::Maybe);
+        }
+    }
 }
 
 /// Says of the likeliest delays how far the readings tell them at all.

@@ -59,7 +59,8 @@ pub struct Suspect {
     pub excess: f64,
     /// What is said of it.
     pub standing: Standing,
-    /// Whether it is the motion model's own: a delay of at most half a step between rows of motion. It is cleared.
+    /// Whether it may be the motion model's own half a step between rows of motion: a delay of at most that is cleared,
+    /// and a longer one may be it where half a step and chance make the readings as likely.
     pub own: bool,
     /// From where to where the likelihood of a delay is the same, where the motion has rows too rarely to tell more.
     pub flat: Option<[f64; 2]>,

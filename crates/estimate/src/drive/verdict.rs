@@ -22,7 +22,7 @@ use crate::drive::fault::Fault;
 use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::gaps::{Gaps, gaps};
 use crate::drive::gates::Gates;
-use crate::drive::judgement::{Judgement, as_mended, is_own, period, refuted, stairs, turning};
+use crate::drive::judgement::{Judgement, as_mended, is_own, may_be_own, period, refuted, stairs, turning};
 use crate::drive::pace::pace;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
@@ -225,6 +225,9 @@ impl Verdict {
         self.suspects = core::mem::take(&mut self.first.found).into_iter().map(|(suspect, _)| suspect).collect();
         stand(&mut self.suspects, hoisted || self.sole);
         stairs(drive, &mut self.suspects, &places, &self.scope);
+        if !hoisted {
+            may_be_own(drive, &mut self.suspects, &self.first, &self.scope, self.period);
+        }
         self.hold_against_the_truth(drive, &places);
         self.suspects.append(&mut self.own);
     }

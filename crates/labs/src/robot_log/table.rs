@@ -11,9 +11,9 @@ use std::sync::Arc;
 /// What a table tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LogTableKind {
-    /// The estimate at each row of motion.
+    /// The estimate at each row of motion, before the readings of its time: what is compared with the truth.
     Track,
-    /// What the filter made of each reading.
+    /// What the filter made of each reading, and the estimate after it.
     Innovations,
     /// The log itself in the book's own format, whatever it was read from: no parameter changes it.
     Log,
@@ -90,6 +90,20 @@ impl Replayed {
         Ok(Some(text))
     }
 
+    /// x, y, θ and the standard deviation of each.
+    fn estimate(&self) -> [Option<f64>; 6] {
+        let pose = self.replay.pose();
+        let [x, y, theta] = [pose.x(), pose.y(), pose.theta()].map(Some);
+        let [of_x, of_y, of_theta] = [0, 1, 2].map(|i| self.sigma(i));
+        [x, y, theta, of_x, of_y, of_theta]
+    }
+
+    /// The standard deviation of a state, where there is such a one.
+    fn sigma(&self, i: usize) -> Option<f64> {
+        let p = self.replay.covariance();
+        (i < p.nrows()).then(|| p[(i, i)].max(0.0).sqrt())
+    }
+
     fn write(&self, drive: &Drive, taken: &Taken, to: &mut String) {
         if taken.early {
             return;
@@ -97,12 +111,9 @@ impl Replayed {
         let mut cells: Vec<Option<f64>> = vec![Some(taken.time)];
         match (self.kind, drive.rows[taken.row].event, taken.judged) {
             (LogTableKind::Track, event, _) if event.is_motion() => {
-                let (pose, p) = (self.replay.pose(), self.replay.covariance());
-                let sigma = |i: usize| (i < p.nrows()).then(|| p[(i, i)].max(0.0).sqrt());
-                cells.extend([pose.x(), pose.y(), pose.theta()].map(Some));
-                cells.extend([0, 1, 2].map(sigma));
+                cells.extend(self.estimate());
                 let epsilon = self.replay.epsilon();
-                cells.extend([epsilon, epsilon.and_then(|_| sigma(3))]);
+                cells.extend([epsilon, epsilon.and_then(|_| self.sigma(3))]);
                 let truth = drive.truth.position(taken.time);
                 cells.extend([0, 1].map(|i| truth.map(|at| at[i])));
             }
@@ -118,6 +129,7 @@ impl Replayed {
                 write(&[measured[1], expected(1), nu[1]], to);
                 to.push(',');
                 cells = [judged.d2, f64::from(judged.outputs), f64::from(u8::from(judged.used))].map(Some).to_vec();
+                cells.extend(self.estimate());
             }
             _ => return,
         }
@@ -131,7 +143,7 @@ const TRACK: &str = "time,x,y,theta,sigma_x,sigma_y,sigma_theta,range_scale_erro
                      true_y\n";
 /// Of a reading's first number there is σ of ν too; of a bearing or the y of a fix, what was measured and expected.
 const INNOVATIONS: &str = "time,sensor,landmark,measured,expected,innovation,sigma,measured_2,expected_2,innovation_2,\
-                           d2,outputs,used\n";
+                           d2,outputs,used,x_after,y_after,theta_after,sigma_x_after,sigma_y_after,sigma_theta_after\n";
 
 /// The sensor of a reading, the index of its landmark, and what was measured.
 fn told(event: &Event) -> Option<(&'static str, Option<usize>, [Option<f64>; 2])> {

@@ -43,6 +43,12 @@ fn the_innovations_of_all_sensors_are_in_their_table() {
     assert!(rows.iter().all(|row| row.len() == text.lines().next().map_or(0, |head| head.split(',').count())));
     let sensors: Vec<&str> = rows.iter().map(|row| row[1]).collect();
     assert_eq!(sensors, ["fix", "heading", "range", "bearing", "fix"]);
+    // After the last of the log's readings the estimate is where the replay ends.
+    let lab = whole(&logged(log), LogParams::default());
+    let (pose, p) = (lab.replay.pose(), lab.replay.covariance());
+    let after: Vec<f64> = rows[4][13..].iter().map(|it| it.parse().expect("a number")).collect();
+    assert_eq!(after[..3], [pose.x(), pose.y(), pose.theta()]);
+    assert_eq!(after[3..], [0, 1, 2].map(|i| p[(i, i)].sqrt()));
     // From the origin: the first fix is expected there, and the robot drives along x.
     assert_eq!(rows[0][3..6], ["0.5", "0", "0.5"]);
     assert_eq!(rows[0][7..10], ["0.25", "0", "0.25"]);

@@ -1,0 +1,97 @@
+//! One table may hold the motion, the ranges and the positions of a robot: it is read once for each.
+
+use crate::file::File;
+use crate::guess::{is_place, is_true, moving};
+use crate::holds::{Again, Holds};
+use crate::names::candidates;
+use crate::role::{Quantity, Role};
+use crate::source::Question;
+use crate::wide;
+
+/// Reads the tables once more that hold what they are not read as, behind all that were added, and no longer those that
+/// do not. What is taken out of a log changes no index of a file that was added. Answers which are new.
+pub(crate) fn again(files: &mut Vec<File>) -> Vec<usize> {
+    let mut new = Vec::new();
+    for of in 0..added(files) {
+        for holds in [Holds::Positions, Holds::Motion, Holds::Ranges] {
+            let it = Again { of, holds };
+            let there = files.iter().position(|file| file.again == Some(it));
+            match (wanted(files, it), there) {
+                (Some(role), None) => {
+                    files.push(files[of].once_more(it, role));
+                    new.push(files.len() - 1);
+                }
+                (None, Some(at)) => {
+                    files.remove(at);
+                    new = new.into_iter().filter(|it| *it != at).map(|it| it - usize::from(it > at)).collect();
+                }
+                _ => {}
+            }
+        }
+    }
+    new
+}
+
+/// How many of the files were added.
+pub(crate) fn added(files: &[File]) -> usize {
+    files.iter().take_while(|file| file.again.is_none()).count()
+}
+
+/// As what a file is to be read once more.
+fn wanted(files: &[File], Again { of, holds }: Again) -> Option<Role> {
+    let file = &files[of];
+    let (names, role) = (&file.source.names, file.role());
+    let ranges = matches!(role, Role::Ranges | Role::Sightings);
+    let driven = matches!(role, Role::Encoders | Role::Odometry);
+    match holds {
+        Holds::Positions => {
+            let has = |value: &str| !candidates(value, Quantity::Coordinate, names).is_empty();
+            match () {
+                () if (ranges || driven) && has("latitude") && has("longitude") => Some(Role::Sensors),
+                () if role == Role::Ranges && is_place(names) && is_true(names) => Some(Role::Truth),
+                () if role == Role::Ranges && is_place(names) => Some(Role::Undecided),
+                () => None,
+            }
+        }
+        Holds::Motion if ranges || role == Role::Truth => {
+            let beside = |at: usize, file: &File| at != of && (file.may_move() || file.role() == Role::Undecided);
+            let moves = files.iter().enumerate().any(|(at, file)| beside(at, file) && !is_motion_of(file, of));
+            moving(names, file.name()).filter(|_| !moves)
+        }
+        Holds::Ranges if !ranges && (driven || matches!(role, Role::Velocities | Role::Sensors | Role::Truth)) => {
+            (wide::group(names).is_some() || !file.source.called.is_empty()).then_some(Role::Ranges)
+        }
+        _ => None,
+    }
+}
+
+fn is_motion_of(file: &File, of: usize) -> bool {
+    file.again == Some(Again { of, holds: Holds::Motion })
+}
+
+impl File {
+    /// Which of the files of its log it is, by its index, if it is one of them read once more.
+    pub fn again(&self) -> Option<usize> {
+        self.again.map(|again| again.of)
+    }
+
+    /// The same file, read as another role.
+    fn once_more(&self, again: Again, role: Role) -> Self {
+        let what = match again.holds {
+            Holds::Positions => "positions",
+            Holds::Motion => "motion",
+            Holds::Ranges => "ranges",
+        };
+        let name = format!("{}, its {what}", self.name());
+        let mut file = self.clone();
+        file.again = Some(again);
+        file.set_role(role);
+        file.rename(name);
+        if role == Role::Undecided {
+            let words = "Are x and y the true position, or what a sensor read?".into();
+            let answers = &[Role::Truth, Role::Sensors, Role::Unused];
+            file.source.undecided = Some(Question { words, answers });
+        }
+        file
+    }
+}

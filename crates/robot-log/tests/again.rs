@@ -1,0 +1,120 @@
+//! A table that holds the motion, ranges and positions of a robot is read once for each.
+
+use estimate::drive::Event;
+use robot_log::{Counting, Files, Role};
+
+fn files(all: &[(&str, &str)]) -> Files {
+    let mut files = Files::default();
+    all.iter().for_each(|(name, text)| files.add(name, text).expect(name));
+    files
+}
+
+/// What each file is called, is read as, and is another reading of.
+fn read_as(files: &Files) -> Vec<(&str, Role, Option<usize>)> {
+    files.files().iter().map(|file| (file.name(), file.role(), file.again())).collect()
+}
+
+/// How many rows of motion, ranges and fixes a log has.
+fn counts(files: &Files) -> [usize; 3] {
+    let read = files.read().expect("sound");
+    assert_eq!(read.notes.iter().filter(|note| note.contains("without a number")).count(), 0, "each cell is read");
+    let count = |is: fn(&Event) -> bool| read.log.drive.rows.iter().filter(|row| is(&row.event)).count();
+    [
+        count(Event::is_motion),
+        count(|event| matches!(event, Event::Range { .. })),
+        count(|event| matches!(event, Event::Position { .. })),
+    ]
+}
+
+const ANCHORS: (&str, &str) = ("anchors.csv", "id,x,y\n1,0,0\n2,9,0\n");
+
+#[test]
+fn ranges_beside_velocities_are_read_and_so_are_the_velocities() {
+    let table = ("run.csv", "t,v,omega,range1,range2\n0,1,0,,\n0.1,1,0,5,6\n0.2,1,0.1,,\n0.3,1,0,,6.1\n");
+    let files = files(&[table, ANCHORS]);
+    let as_read = [("run.csv", Role::Ranges, None), ANCHORS_READ, ("run.csv, its motion", Role::Velocities, Some(0))];
+    assert_eq!(read_as(&files), as_read);
+    assert_eq!(counts(&files), [4, 3, 0]);
+}
+
+const ANCHORS_READ: (&str, Role, Option<usize>) = ("anchors.csv", Role::Landmarks, None);
+
+#[test]
+fn columns_that_are_called_as_the_landmarks_are_ranges_beside_velocities_too() {
+    let table = ("run.csv", "t,v,omega,north,south\n0,1,0,,\n0.1,1,0,5,6\n");
+    let files = files(&[table, ("anchors.csv", "landmark,x,y\nnorth,0,0\nsouth,9,0\n")]);
+    assert_eq!(counts(&files), [2, 2, 0]);
+    assert_eq!(files.files()[2].name(), "run.csv, its ranges");
+}
+
+#[test]
+fn rows_of_encoders_without_counts_are_fixes() {
+    let table = "t,left_ticks,right_ticks,lat,lon\n0,0,0,,\n0.1,10,12,,\n0.15,,,48.1,11.5\n0.2,20,24,,\n";
+    let mut files = files(&[("agv.csv", table)]);
+    let as_read = [("agv.csv", Role::Encoders, None), ("agv.csv, its positions", Role::Sensors, Some(0))];
+    assert_eq!(read_as(&files), as_read);
+    for (name, number) in [("ticks", 100.0), ("radius", 0.1), ("base", 0.4)] {
+        assert!(files.set_wheel(0, name, number));
+    }
+    assert!(files.set_counting(0, Counting::Total));
+    assert_eq!(counts(&files), [2, 0, 1]);
+    // One of two counts is a fault, and no row of others.
+    let faulty = files_of("t,left_ticks,right_ticks,lat,lon\n0,0,0,,\n0.1,10,,,\n");
+    assert_eq!(faulty.read().expect_err("a count is missing").line, 3);
+}
+
+fn files_of(table: &str) -> Files {
+    let mut files = files(&[("agv.csv", table)]);
+    for (name, number) in [("ticks", 100.0), ("radius", 0.1), ("base", 0.4)] {
+        files.set_wheel(0, name, number);
+    }
+    files.set_counting(0, Counting::Step);
+    files
+}
+
+#[test]
+fn a_true_track_with_velocities_is_driven_by_them_where_no_other_file_says_how_the_robot_moved() {
+    let table = ("sim.csv", "t,v,omega,x_true,y_true,d1,d2\n0,1,0,0,0,5,6\n0.1,1,0,0.1,0,5,6\n");
+    let alone = files(&[table, ANCHORS]);
+    let names: Vec<&str> = alone.files().iter().map(|file| file.name()).collect();
+    assert_eq!(names, ["sim.csv", "anchors.csv", "sim.csv, its positions", "sim.csv, its motion"]);
+    assert_eq!(counts(&alone), [2, 4, 0]);
+    assert!(alone.read().expect("sound").log.drive.truth.position(0.05).is_some());
+    let wheels = ("wheels.csv", "t,v,omega\n0,1,0\n0.1,1,0\n0.2,1,0\n");
+    for both in [[table, wheels], [wheels, table]] {
+        assert_eq!(counts(&files(&both))[0], 3, "the wheels alone");
+    }
+}
+
+#[test]
+fn places_beside_ranges_are_asked_about_and_their_answer_says_what_drives() {
+    let mut files = files(&[("all.csv", "t,v,omega,x,y,d1,d2\n0,1,0,0,0,5,6\n0.1,1,0,0.1,0,5,6\n"), ANCHORS]);
+    assert_eq!(files.files().len(), 3);
+    assert_eq!(files.files()[2].answers(), [Role::Truth, Role::Sensors, Role::Unused]);
+    assert!(files.read().is_err(), "it asks");
+    for (answer, wanted) in [(Role::Truth, [2, 4, 0]), (Role::Sensors, [2, 4, 2]), (Role::Unused, [2, 4, 0])] {
+        files.set_role(2, answer);
+        assert_eq!(counts(&files), wanted, "{answer:?}");
+    }
+    // A file that is left out is left out whole.
+    files.set_role(0, Role::Unused);
+    assert_eq!(read_as(&files), [("all.csv", Role::Unused, None), ANCHORS_READ]);
+}
+
+#[test]
+fn what_asked_whether_it_is_true_is_driven_by_as_well_as_true() {
+    let mut files = files(&[("sim.csv", "t,x,y,v,omega\n0,0,0,1,0\n0.1,0.1,0,1,0\n")]);
+    assert_eq!(read_as(&files), [("sim.csv", Role::Undecided, None)]);
+    files.set_role(0, Role::Truth);
+    let as_read = [("sim.csv", Role::Truth, None), ("sim.csv, its motion", Role::Velocities, Some(0))];
+    assert_eq!((read_as(&files).as_slice(), counts(&files)), (&as_read[..], [2, 0, 0]));
+    files.set_role(0, Role::Sensors);
+    assert_eq!((files.files().len(), counts(&files)), (1, [2, 0, 2]));
+}
+
+#[test]
+fn a_column_is_unread_where_no_reading_of_its_file_has_it() {
+    let table = ("run.csv", "t,v,omega,range1,range2,voltage\n0,1,0,5,6,12\n");
+    let files = files(&[table, ANCHORS]);
+    assert_eq!((files.unread(0), files.unread(2)), (vec![5], Vec::new()));
+}
