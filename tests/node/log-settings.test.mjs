@@ -121,6 +121,39 @@ test('whose rows are read, of several tags, is written and read again', () => {
   assert.throws(() => follow(other, settings), /ranges\.csv has no rows of T7\./)
 })
 
+test('a table that is read once more is read so again, of another recording too', () => {
+  const rows = Array.from({ length: 9 }, (_, k) => `${k / 10},1,0,${k / 10},0,${9 - k / 10},5\n`).join('')
+  const table = `t,v,omega,x,y,d1,d2\n${rows}`
+  const files = opened(['monday.csv', table], ['anchors.csv', 'id,x,y\n1,9,0\n2,0,5\n'])
+  files.setRole(2, 'truth')
+  files.setUnit(3, 'v', 'km/h')
+  const named = files.files().map(({ name, role, again }) => [name, role, again])
+  assert.deepEqual(named, [
+    ['monday.csv', 'ranges', null],
+    ['anchors.csv', 'landmarks', null],
+    ['monday.csv, its positions', 'truth', 0],
+    ['monday.csv, its motion', 'velocities', 0],
+  ])
+  const settings = readSettings(settingsText({}, files.files()), known)
+  const tuesday = opened(['anchors.csv', 'id,x,y\n1,9,0\n2,0,5\n'], ['tuesday.csv', table])
+  follow(tuesday, settings)
+  assert.deepEqual(
+    tuesday.files().map(({ name, role }) => [name, role]),
+    [named[1], ...[0, 2, 3].map((i) => named[i])].map(([name, role]) => [name.replace('monday', 'tuesday'), role]),
+  )
+  assert.equal(tuesday.files()[3].values.find(({ name }) => name === 'v').unit, 'km/h')
+  const other = {
+    ...settings,
+    files: [{ ...settings.files[0], role: 'unused', values: {} }, ...settings.files.slice(1)],
+  }
+  assert.throws(
+    () => follow(opened(['monday.csv', table], ['anchors.csv', 'id,x,y\n1,9,0\n']), other),
+    /have no monday/,
+  )
+  const spoilt = settingsText({}, files.files()).replace('"again": 0', '"again": 7')
+  assert.throws(() => readSettings(spoilt, known), /files\[2\]\.again is 7/)
+})
+
 test('another recording with the same columns is read so too, wherever a column stands', () => {
   const files = corrected()
   const settings = readSettings(settingsText({}, files.files()), known)

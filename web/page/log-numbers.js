@@ -184,10 +184,11 @@ export function ownFactor(contents, name) {
 }
 
 /** Whether the σ of the start is a fix’s own. @param {import('estimate-wasm').LogContents} contents */
-const startsAt = (contents) => contents.opening !== null && !acts(contents, 'sigmaFix')
+const startsAt = (contents) =>
+  contents.opening !== null && Boolean(contents.readings.fix) && !acts(contents, 'sigmaFix')
 
 /**
- * Where a log begins by its first fixes, whose σ has the factor that theirs have.
+ * Where a log begins by its first fixes, whose σ has the factor that theirs have, or by its first ranges.
  * @param {import('estimate-wasm').LogContents} contents @param {number} factor
  */
 export function openingOf(contents, factor) {
@@ -244,3 +245,6 @@ export function learnedWords({ speedScale, speedScaleSigma, turnBias, turnBiasSi
     bias: turnBias === null ? '' : `${fixed(turnBias, 4)} ± ${fixed(turnBiasSigma ?? unknown, 4)} rad/s`,
   }
 }
+
+/** What tells where a log begins. @param {import('estimate-wasm').LogContents} contents */
+export const openedBy = ({ readings }) => (readings.fix ? 'fixes' : 'ranges')

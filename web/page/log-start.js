@@ -1,12 +1,12 @@
 /**
- * Where the filter starts in a log without truth: typed, taken from the first fixes, or dragged on the map. Then the
+ * Where the filter starts in a log without truth: typed, taken from the first readings, or dragged on the map. Then the
  * stretch whose fixes are withheld, typed or as the panels show it, and the track afterwards.
  */
 
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
 import { withholdingShown } from '../widgets/robot-log/withheld.js'
-import { openingOf } from './log-numbers.js'
+import { openedBy, openingOf } from './log-numbers.js'
 import { numberField } from './number-field.js'
 
 /** @typedef {import('estimate-wasm').LogContents} LogContents */
@@ -71,7 +71,7 @@ export class StartForm {
     const actions = part(document, row, 'div', 'log-actions')
     let factor = 1
     const opened = () => this.change({ ...openingOf(contents, factor) })
-    if (contents.opening) button(document, actions, 'From the first fixes', opened)
+    if (contents.opening) button(document, actions, `From the first ${openedBy(contents)}`, opened)
     button(document, actions, 'At the origin', () => this.change({ start: null }))
     const words = part(document, row, 'p', 'log-says')
     words.textContent =

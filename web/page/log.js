@@ -17,6 +17,7 @@ import { shortName } from './file-name.js'
 import { EXAMPLES, PUZZLE, addressOf } from './log-examples.js'
 import { FileForm } from './log-files.js'
 import { Forms } from './log-forms.js'
+import { openedBy } from './log-numbers.js'
 import { printReport } from './log-print.js'
 import { readingBar } from './log-reading.js'
 import { Report } from './log-report.js'
@@ -260,7 +261,8 @@ class OwnLog {
     const names = added.map((/** @type {any} */ { name }) => name)
     this.hold(contents, names)
     const told = this.forms.begin(contents, parameters, other, names)
-    this.answer.say(`${this.facts()}${contents.opening ? ' The filter starts where the first fixes say.' : ''}`)
+    const begins = contents.opening ? ` The filter starts where the first ${openedBy(contents)} say.` : ''
+    this.answer.say(`${this.facts()}${begins}`)
     const notes = asks ? [PUZZLE, ...contents.notes] : contents.notes
     for (const note of notes) part(document, this.answer.box, 'p', '').textContent = note
     this.answer.lead()

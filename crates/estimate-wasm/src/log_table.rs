@@ -10,10 +10,10 @@ use labs::LogTableKind;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
-/// A log's replay that is written as CSV while it goes on: `"track"` has the estimate at each row of motion, before the
-/// readings of its time, `"innovations"` what the filter made of each reading, and the estimate after it. `"log"` is the
-/// log itself in the book's own format, whatever it was read from: read again it is the same log to the bit. Lengths are
-/// in metres, times in seconds by the log's own clock, angles in radians.
+/// A log's replay that is written as CSV while it goes on: `"track"` has the estimate at each row of motion, before
+/// the readings of its time, `"innovations"` what the filter made of each reading, and the estimate after it. `"log"`
+/// is the log itself in the book's own format, whatever it was read from: read again it is the same log to the bit.
+/// Lengths are in metres, times in seconds by the log's own clock, angles in radians.
 #[wasm_bindgen]
 #[repr(transparent)]
 pub struct LogTable(Held);

@@ -47,8 +47,8 @@ export interface LogContents {
     bearings: boolean;
     /** Whether it is known where the robot really was. */
     truth: boolean;
-    /** Where the drive began by its first fixes, as parameters of a lab: null without a fix, or where the truth says
-        it. */
+    /** Where the drive began by its first fixes, or without these by its first ranges, as parameters of a lab: null
+        where neither tell it, or where the truth says it. */
     opening: { start: [number, number, number]; startSigma: number; startSigmaHeading: number } | null;
     /** What was left out of the log's files or added to them, in sentences. */
     notes: string[];
@@ -196,7 +196,7 @@ fn own(drive: &Drive) -> JsValue {
     record(&[("fix", Sensor::Fix), ("heading", Sensor::Heading)].into_iter().filter_map(of).collect::<Vec<_>>())
 }
 
-/// Where a drive began by its first fixes, if no truth says it; a fix without a σ of its own has the default's.
+/// Where a drive began by its first fixes or ranges, if no truth says it; what has no σ of its own has the default's.
 fn opening(drive: &Drive) -> JsValue {
     let found = drive.truth.poses().is_empty().then(|| drive.opening(&Settings::default())).flatten();
     found.map_or(JsValue::NULL, |Opening { pose, sigma, sigma_heading }| {

@@ -31,6 +31,7 @@ mod likelihood;
 mod line;
 mod moves;
 mod opening;
+mod opening_ranges;
 mod pace;
 mod read;
 mod replay;

@@ -48,7 +48,8 @@ struct Pair {
 
 impl Drive {
     /// The start by the first readings; fixes and headings without a standard deviation of their own take that of
-    /// `settings`, of which the noise of the motion counts too. `None` without a fix.
+    /// `settings`, of which the noise of the motion counts too. Without a fix, by the first ranges to the landmarks;
+    /// `None` without either, or where the ranges do not tell it.
     ///
     /// The place and the heading are those under which the first fixes are most likely, with the motion that is logged
     /// between them; of the stretches of 4, 8, 16 … fixes the one is taken that tells the heading best. Its standard
@@ -57,7 +58,9 @@ impl Drive {
     /// read, led back to the start by the turns since, is taken where it is better known. Where the motion tells no
     /// way, the direction to the first fix that is far away is the heading.
     pub fn opening(&self, settings: &Settings) -> Option<Opening> {
-        let first = self.rows.iter().position(|row| matches!(row.event, Event::Position { .. }))?;
+        let Some(first) = self.rows.iter().position(|row| matches!(row.event, Event::Position { .. })) else {
+            return self.opening_by_ranges(settings).map(|found| self.headed(found, settings));
+        };
         let Event::Position { x, y, sigma } = self.rows[first].event else { return None };
         let sigma = settings.of_fix(sigma);
         let by_chord = || {
@@ -65,11 +68,19 @@ impl Drive {
             ([x, y, theta], off)
         };
         let fixes = self.fitted(settings);
-        let (mut pose, mut off) = fixes.unwrap_or_else(by_chord);
-        if let Some((theta, read)) = self.first_heading(settings).filter(|(_, read)| *read < off) {
-            (pose, off) = ([pose[0], pose[1], theta], read);
+        let (pose, off) = fixes.unwrap_or_else(by_chord);
+        Some(self.headed(Opening { pose, sigma, sigma_heading: off.min(PI) }, settings))
+    }
+
+    /// An opening with the heading that was read, where that is better known.
+    fn headed(&self, opening: Opening, settings: &Settings) -> Opening {
+        let [x, y, _] = opening.pose;
+        match self.first_heading(settings) {
+            Some((theta, read)) if read < opening.sigma_heading => {
+                Opening { pose: [x, y, theta], sigma_heading: read, ..opening }
+            }
+            _ => opening,
         }
-        Some(Opening { pose, sigma, sigma_heading: off.min(PI) })
     }
 
     /// The direction from the first fix to the first one far from it, and its σ: √2 σ over their distance.
@@ -101,7 +112,7 @@ impl Drive {
     }
 
     /// The first rows of the drive, without truth and headings.
-    fn stretch(&self, rows: usize) -> Drive {
+    pub(super) fn stretch(&self, rows: usize) -> Drive {
         let rows = self.rows.iter().take(rows).copied().collect();
         Drive { landmarks: Vec::new(), truth: Truth::new(Vec::new()), rows, motion: self.motion }
     }

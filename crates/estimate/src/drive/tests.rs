@@ -7,6 +7,7 @@ use geom::SE2;
 use nalgebra::{DMatrix, Matrix3};
 
 mod opening;
+mod opening_ranges;
 mod sensors;
 mod smoothing;
 

@@ -24,7 +24,7 @@ fn without_motion_the_first_fix_far_away_tells_the_heading_and_how_well() {
 }
 
 /// About a normal number, of a seed.
-fn normal(seed: &mut u64) -> f64 {
+pub(super) fn normal(seed: &mut u64) -> f64 {
     let mut uniform = || {
         *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (*seed >> 11) as f64 / (1_u64 << 53) as f64
