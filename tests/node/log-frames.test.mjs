@@ -3,7 +3,8 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
+import { nextChange } from '../../web/page/log-saved-files.js'
+import { readSettings, settingsText } from '../../web/page/log-settings.js'
 import { framesOf, originOf, short } from '../../web/page/log-file-words.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 

@@ -2,7 +2,8 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { NotOpen, isSameLog, isSettings, nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
+import { NotOpen, nextChange } from '../../web/page/log-saved-files.js'
+import { isSameLog, isSettings, readSettings, settingsText, startsElsewhere } from '../../web/page/log-settings.js'
 import { NONE, markOf, sameCorrections, written } from '../../web/page/log-corrections.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 
@@ -139,7 +140,10 @@ test('a table that is read once more is read so again, of another recording too'
   follow(tuesday, settings)
   assert.deepEqual(
     tuesday.files().map(({ name, role }) => [name, role]),
-    [named[1], ...[0, 2, 3].map((i) => named[i])].map(([name, role]) => [name.replace('monday', 'tuesday'), role]),
+    [named[1], ...[0, 2, 3].map((i) => named[i])].map(([name, role]) => [
+      String(name).replace('monday', 'tuesday'),
+      role,
+    ]),
   )
   assert.equal(tuesday.files()[3].values.find(({ name }) => name === 'v').unit, 'km/h')
   const other = {
@@ -169,6 +173,21 @@ test('another recording with the same columns is read so too, wherever a column 
       .map(({ column }) => column),
     [1, 0],
   )
+})
+
+test('of another log the settings say nothing of where this one begins', () => {
+  const log = (/** @type {number} */ x) => {
+    const rows = Array.from({ length: 9 }, (_, k) => `V,${k},1,0\nP,${k},${x + k},0\n`).join('')
+    return opened(['fixes.csv', rows]).read().contents()
+  }
+  const [monday, tuesday] = [log(5), { ...log(80), steps: 99 }]
+  const settings = readSettings(settingsText({ start: [5, 0, 0], startSigma: 0.1 }, [], monday), known)
+  assert.equal(startsElsewhere(settings, monday), null)
+  assert.deepEqual(startsElsewhere(settings, tuesday)?.patch.start, tuesday.opening.start)
+  assert.ok(Math.abs(tuesday.opening.start[0] - 80) < 0.1)
+  assert.match(startsElsewhere(settings, tuesday)?.words ?? '', /start is this log’s own/)
+  assert.deepEqual(startsElsewhere(settings, { ...tuesday, opening: null })?.patch, {})
+  assert.equal(startsElsewhere(settings, { ...tuesday, truth: true }), null)
 })
 
 test('a log in the book’s own format needs no columns', () => {

@@ -93,6 +93,11 @@ test('what the filter can learn, it learns, and outliers are gated at their sens
   /** @type {any} */
   const gated = { gate: { fix: 0.95 } }
   assert.deepEqual(remedy(tails, gated, false)?.patch, { gate: { fix: 0.95, range: 0.999 } })
+  const both = suspect({ ...tails, name: 'sigmaRange', sizes: [size(0.1, 0.01), size(0.12345, 0.0031, 0.6)] })
+  assert.deepEqual(remedy(both, gated, false), {
+    press: 'Switch the gate on, with that σ',
+    patch: { gate: { fix: 0.95, range: 0.999 }, sigmaRange: 0.1235 },
+  })
 })
 
 test('where landmarks or odometry are wrong the log is read as the sentence says, beside former corrections', () => {

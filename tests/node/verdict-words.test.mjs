@@ -108,6 +108,18 @@ test('a share of outliers has its ± where it is clear of it, and a handful is a
     sentence(suspect({ fault: 'tails', name: null, sensor: 'fix', sizes: [{ now: 0, value, sigma }] }), false)
   assert.match(tails(0.13, 0.0154), /^13\.0 ± 1\.5 % of the positions are outliers: switch their gate on/)
   assert.match(tails(0.0075, 0.0043), /^About 0\.75 % of the positions are outliers: switch their gate on/)
+  const sizes = [
+    { now: 0, value: 0.067, sigma: 0.007 },
+    { now: 0.6, value: 0.12, sigma: 0.003 },
+  ]
+  assert.match(
+    sentence(suspect({ fault: 'tails', name: 'sigmaRange', sensor: 'range', sizes }), false),
+    /which refuses them\. Without them the σ of a range is 0\.1200 ± 0\.0030 m, and is set to 0\.6\.$/,
+  )
+  assert.match(
+    sentence(suspect({ fault: 'tails', name: 'fixSigmaScale', sensor: 'fix', sizes }), false),
+    /Without them 0\.1200 ± 0\.0030 times the σ that the positions bring fits\.$/,
+  )
 })
 
 test('where two explain the readings alike both are named, and where chance does it is said', () => {
@@ -185,6 +197,16 @@ test('what is the motion model’s own is said, and is no fault', () => {
   assert.match(
     said,
     /come 0\.0210 ± 0\.0090 s early: less than half a step of 0\.5 s between rows of motion\. That may be the/,
+  )
+  const longer = suspect({ standing: 'cleared', own: true, sizes: [{ now: 0, value: -0.4, sigma: 0.09 }] })
+  assert.match(
+    ranked(judgement([suspect({ standing: 'cleared' }), longer], { period: 0.5 }), log),
+    /come 0\.400 ± 0\.090 s early, which makes the readings no likelier than half a step of 0\.5 s between rows/,
+  )
+  const doubtful = suspect({ standing: 'maybe', own: true, sizes: [{ now: 0, value: -0.6, sigma: 0.1 }] })
+  assert.match(
+    ranked(judgement([doubtful], { period: 0.5 }), log),
+    /^Perhaps: .* 0\.25 s of it, may be the motion model’s own, and chance explains .* it may be no fault\./,
   )
   assert.match(
     said,

@@ -5,15 +5,8 @@ import { save } from '../figure/save.js'
 import { sameCorrections } from './log-corrections.js'
 import { robotLocalization } from './log-export.js'
 import { filterpy } from './log-filterpy.js'
-import {
-  MOST_SETTINGS,
-  NotOpen,
-  isSameLog,
-  isSettings,
-  nextChange,
-  readSettings,
-  settingsText,
-} from './log-settings.js'
+import { NotOpen, nextChange } from './log-saved-files.js'
+import { MOST_SETTINGS, isSameLog, isSettings, readSettings, settingsText, startsElsewhere } from './log-settings.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('../widgets/robot-log/change.js').Change} Change */
@@ -158,10 +151,11 @@ class Opened {
       const mark = page.mark()
       const written = mark !== null && sameCorrections(mark, corrections)
       if (!written && !sameCorrections(run.contents.corrections, corrections)) await page.reread({ corrections })
-      page.change(params)
+      const elsewhere = startsElsewhere(settings, run.contents)
+      page.change({ ...params, ...elsewhere?.patch })
       const usual = missing.length > 0 ? ` It says nothing of ${missing.join(', ')}: they have their usual values.` : ''
       const rows = written ? ' The rows are read as they stand: the page corrected them before it wrote them.' : ''
-      return [`The filter has the settings of ${file.name}.${usual}${rows}`, true]
+      return [`The filter has the settings of ${file.name}.${usual}${rows}${elsewhere?.words ?? ''}`, true]
     } catch (error) {
       const stays = read > 0 ? ' What was read otherwise before that stays so.' : ''
       const waits = error instanceof NotOpen

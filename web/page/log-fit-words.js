@@ -72,11 +72,13 @@ export function bentBy({ beyond, expected, readings, outliers }) {
     return 'Most readings count as outliers, so something else is wrong, and nothing of it can be taken.'
   const used = readings - (outliers ?? 0)
   if (!(beyond > 5 * expected * used && beyond > expected * used + 5)) return ''
+  const far = `${percent(beyond / used)} of ${outliers ? 'the others' : 'these readings'} lie beyond what should hold`
+  const [what, mend] = outliers
+    ? ['a start or another fault that the verdict names, or outliers of a sensor without a gate,', 'Mend that first.']
+    : ['outliers', 'Switch on the gate of the sensor that has them, and Fit leaves them out.']
   return (
-    `${percent(beyond / used)} of these readings lie beyond what should hold ` +
-    `${fixed(100 * (1 - expected), 1)} % of them: ` +
-    'outliers have bent the fit: each σ comes out too large, and a delay may be anything. Nothing of it can be ' +
-    'taken. Switch on the gate of the sensor that has them, and Fit leaves them out.'
+    `${far} ${fixed(100 * (1 - expected), 1)} % of them: ${what} have bent the fit: each σ comes out too large, and ` +
+    `a delay may be anything. Nothing of it can be taken. ${mend}`
   )
 }
 

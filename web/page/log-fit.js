@@ -17,6 +17,13 @@ import {
 /** @typedef {import('estimate-wasm').LogFound} LogFound */
 /** @typedef {{ fit: () => Promise<any>, stop: () => void, take: (patch: Record<string, unknown>) => void }} Orders */
 
+/** @param {string} words */
+function line(words) {
+  const text = document.createElement('p')
+  text.textContent = words
+  return text
+}
+
 export class FitForm {
   /** @param {HTMLElement} into @param {Orders} orders */
   constructor(into, orders) {
@@ -26,6 +33,9 @@ export class FitForm {
     this.judging = false
     /** @type {(() => void) | null} */
     this.judged = null
+    /** The settings that the fit that is shown was of, as text, and whether what it found is being taken. */
+    this.of = ''
+    this.taking = false
   }
 
   /** @param {import('estimate-wasm').LogContents} contents */
@@ -56,10 +66,19 @@ export class FitForm {
   show({ judgement, judging, params }) {
     /** What is set. @type {any} */
     this.params = params
+    this.age(JSON.stringify(params))
     this.judging = Boolean(judging)
     if (!judging) this.judged?.()
     this.staying = stayingBy(judgement ?? null)
     if (this.first) this.first.textContent = mendBefore(judgement ?? null)
+  }
+
+  /** Says of a fit whether other settings have come since, but for its own. @param {string} now */
+  age(now) {
+    if (!this.of || now === this.of) return
+    this.of = this.taking ? now : ''
+    this.taking = false
+    if (!this.of) this.result?.prepend(line('Found before the settings were changed:'))
   }
 
   /** @param {boolean} waiting */
@@ -84,6 +103,7 @@ export class FitForm {
     const { result } = this
     if (!result) return
     this.wait(true)
+    this.of = ''
     result.textContent = ''
     const answer = await this.orders.fit()
     // What is taken depends on the verdict, too.
@@ -101,6 +121,7 @@ export class FitForm {
     const { numbers, pace, period } = found
     const { result } = this
     if (!result) return
+    this.of = JSON.stringify(this.params)
     part(document, result, 'p', '').textContent = rises(found)
     const bent = bentBy(found)
     if (bent) part(document, result, 'p', '').textContent = bent
@@ -115,6 +136,9 @@ export class FitForm {
     const patch = rounded(taken)
     if (Object.keys(patch).length === 0) return
     const actions = part(document, result, 'div', 'log-actions')
-    button(document, actions, 'Take what the log tells', () => this.orders.take({ ...patch, delayTurn: 0 }))
+    button(document, actions, 'Take what the log tells', () => {
+      this.taking = true
+      this.orders.take({ ...patch, delayTurn: 0 })
+    })
   }
 }

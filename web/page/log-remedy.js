@@ -81,8 +81,13 @@ export function remedy(suspect, params, truth, log = null) {
   const { fault, name, with: other, sensor, sizes, times: read } = suspect
   if (fault === 'mirrored') return null
   if (['odometry', 'landmark-bias', 'exchanged', 'displaced'].includes(fault)) return corrected(suspect, log)
-  if (fault === 'tails')
-    return { press: 'Switch the gate on', patch: { gate: { ...bySensor(params.gate), [sensor ?? 'fix']: GATE } } }
+  if (fault === 'tails') {
+    const gate = { ...bySensor(params.gate), [sensor ?? 'fix']: GATE }
+    const behind = name !== null && sizes.length > 1
+    return behind
+      ? { press: 'Switch the gate on, with that σ', patch: { gate, [name]: said(sizes[1]) } }
+      : { press: 'Switch the gate on', patch: { gate } }
+  }
   if (fault === 'start') {
     if (truth) return null
     const [x, y, theta] = sizes

@@ -17,7 +17,10 @@ const TYPES: &str = r#"
 export interface LogSuspect {
     fault: 'start' | 'clock' | 'bias' | 'scale' | 'odometry' | 'tails' | 'sigma' | 'turned' | 'mirrored' | 'exchanged'
         | 'landmark-bias' | 'displaced';
-    /** The parameter that mends it; null of the start, of outliers, which a gate refuses, and where none does. */
+    /**
+     * The parameter that mends it; null of the start, and where none does. Of outliers, which a gate refuses, the σ of
+     * their sensor, where that is another one behind the gate.
+     */
     name: string | null;
     /** The parameter that mends it together with that one; of three sensors that are late together the second. */
     with: string | null;
@@ -28,7 +31,7 @@ export interface LogSuspect {
     /**
      * As it is set, where the readings are likeliest, and how well they tell it, null where they do not: of each
      * parameter; of the start x, y and θ in metres and radians; of a landmark x and y, or by how much its
-     * ranges are too long; of outliers their share; of
+     * ranges are too long; of outliers their share, and that σ; of
      * odometry the shares by which distances and, where it turns, turns are larger than they are read. Empty where
      * nothing is set.
      */

@@ -32,6 +32,7 @@ mod line;
 mod moves;
 mod opening;
 mod opening_ranges;
+mod outliers;
 mod pace;
 mod read;
 mod replay;

@@ -1,11 +1,11 @@
 //! One table may hold the motion, the ranges and the positions of a robot: it is read once for each.
 
 use crate::file::File;
-use crate::guess::{is_place, is_true, moving};
+use crate::guess::{IS_TRUE, moving};
 use crate::holds::{Again, Holds};
-use crate::names::candidates;
-use crate::role::{Quantity, Role};
+use crate::role::Role;
 use crate::source::Question;
+use crate::true_names::{has_coordinates, has_place, is_received};
 use crate::wide;
 
 /// Reads the tables once more that hold what they are not read as, behind all that were added, and no longer those that
@@ -13,7 +13,7 @@ use crate::wide;
 pub(crate) fn again(files: &mut Vec<File>) -> Vec<usize> {
     let mut new = Vec::new();
     for of in 0..added(files) {
-        for holds in [Holds::Positions, Holds::Motion, Holds::Ranges] {
+        for holds in [Holds::Truth, Holds::Positions, Holds::Motion, Holds::Ranges] {
             let it = Again { of, holds };
             let there = files.iter().position(|file| file.again == Some(it));
             match (wanted(files, it), there) {
@@ -43,13 +43,19 @@ fn wanted(files: &[File], Again { of, holds }: Again) -> Option<Role> {
     let (names, role) = (&file.source.names, file.role());
     let ranges = matches!(role, Role::Ranges | Role::Sightings);
     let driven = matches!(role, Role::Encoders | Role::Odometry);
+    let called = has_place(names, true) || has_coordinates(names, true);
     match holds {
+        Holds::Truth => {
+            let other = ranges || driven || matches!(role, Role::Velocities | Role::Sensors);
+            (other && called).then_some(Role::Truth)
+        }
         Holds::Positions => {
-            let has = |value: &str| !candidates(value, Quantity::Coordinate, names).is_empty();
+            let truth = role == Role::Truth && called;
             match () {
-                () if (ranges || driven) && has("latitude") && has("longitude") => Some(Role::Sensors),
-                () if role == Role::Ranges && is_place(names) && is_true(names) => Some(Role::Truth),
-                () if role == Role::Ranges && is_place(names) => Some(Role::Undecided),
+                () if (ranges || driven || truth) && has_coordinates(names, false) => Some(Role::Sensors),
+                () if (truth || role == Role::Ranges) && has_place(names, false) => {
+                    Some(if is_received(names) { Role::Sensors } else { Role::Undecided })
+                }
                 () => None,
             }
         }
@@ -78,6 +84,7 @@ impl File {
     /// The same file, read as another role.
     fn once_more(&self, again: Again, role: Role) -> Self {
         let what = match again.holds {
+            Holds::Truth => "truth",
             Holds::Positions => "positions",
             Holds::Motion => "motion",
             Holds::Ranges => "ranges",
@@ -88,9 +95,11 @@ impl File {
         file.set_role(role);
         file.rename(name);
         if role == Role::Undecided {
-            let words = "Are x and y the true position, or what a sensor read?".into();
-            let answers = &[Role::Truth, Role::Sensors, Role::Unused];
-            file.source.undecided = Some(Question { words, answers });
+            let (words, answers): (&str, &[Role]) = match has_place(&file.source.names, true) {
+                true => ("Are x and y what a sensor read? Else leave them out.", &[Role::Sensors, Role::Unused]),
+                false => (IS_TRUE, &[Role::Truth, Role::Sensors, Role::Unused]),
+            };
+            file.source.undecided = Some(Question { words: words.into(), answers });
         }
         file
     }

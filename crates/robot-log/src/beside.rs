@@ -179,6 +179,10 @@ impl File {
         let numbered = there && wide::numbered(&self.source.names);
         let changed = found != self.source.called;
         self.source.called = found;
+        // What a file is read once more for is known.
+        if self.again.is_some() {
+            return;
+        }
         if changed && !self.source.called.is_empty() && ((open && !said) || self.role() == Role::Ranges) {
             self.set_role(Role::Ranges);
         } else if self.role() == Role::Unused && timed && numbered && !said {

@@ -13,6 +13,7 @@ use crate::sigma;
 use crate::source::Source;
 use crate::stamp;
 use crate::table::LOOKED_AT;
+use crate::true_names::sought;
 use crate::unit::{DATE, QUATERNION, Unit, VARIANCE, named};
 use crate::vocabulary::VARIANCES;
 use crate::wide;
@@ -48,7 +49,7 @@ pub(crate) fn columns(source: &mut Source, file: &str, text: &str) {
 
 /// The columns that a value may be in.
 pub(crate) fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
-    let names = &source.names;
+    let names = &sought(source.role, value.name, &source.names);
     let of = |value: &str, quantity| candidates(value, quantity, names);
     let mut found = of(value.name, value.quantity);
     match value.name {

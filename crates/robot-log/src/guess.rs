@@ -9,6 +9,7 @@ use crate::names::{Name, candidates, is_acceleration, is_spread};
 use crate::role::{Quantity, Role};
 use crate::source::{Question, Source};
 use crate::table::Table;
+use crate::true_names::{has_coordinates, has_place};
 use crate::vocabulary::BESIDE;
 use crate::wheels::Wheels;
 use crate::wide;
@@ -39,6 +40,9 @@ const FILES: [(&str, Role); 23] = [
     ("veloc", Role::Velocities),
     ("motion", Role::Velocities),
 ];
+
+/// What is asked of places that may be either.
+pub(crate) const IS_TRUE: &str = "Are x and y the true position, or what a sensor read?";
 
 /// How a file is read unless the reader says otherwise.
 pub(crate) fn guess(name: &str, text: &str) -> Source {
@@ -126,7 +130,8 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         };
         return (if has("barcode", Quantity::Number) && landmark { Role::Barcodes } else { role }, None);
     }
-    let is_true = said.contains(&Role::Truth) || is_true(names);
+    let called = has_place(names, true) || has_coordinates(names, true);
+    let is_true = said.contains(&Role::Truth) || called;
     let encoders = encoders(names, &file);
     let sightings = landmark && has("range", Quantity::Length);
     let odometry = has("distance", Quantity::Length) && has("turn", Quantity::Angle);
@@ -146,7 +151,7 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if odometry && !place => certain(Role::Odometry),
         () if (place || fix) && is_true && !(v && omega && said.contains(&Role::Truth)) => certain(Role::Truth),
         () if place && said.contains(&Role::Sensors) => certain(Role::Sensors),
-        () if place && (v || omega) => ask("Are x and y the true position, or what a sensor read?"),
+        () if place && (v || omega) => ask(IS_TRUE),
         () if place => ask("Are x and y the true position, or a sensor\u{2019}s fixes?"),
         () if sightings => certain(Role::Sightings),
         () if (v != omega) && !heading && !down && !axes && has_unknown(names) => {
@@ -155,19 +160,6 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if v || omega || heading => certain(Role::Sensors),
         () => certain(said.first().copied().filter(|role| *role == Role::Ranges).unwrap_or(Role::Unused)),
     }
-}
-
-/// Whether columns are called a true pose. True north, and the course from there, are none.
-pub(crate) fn is_true(names: &[Name]) -> bool {
-    names.iter().any(|name| {
-        let of_north = name.has("true") && name.has_one(&["heading", "hdg", "north", "course", "track", "bearing"]);
-        name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]) && !of_north
-    })
-}
-
-/// Whether there are an x and a y.
-pub(crate) fn is_place(names: &[Name]) -> bool {
-    ["x", "y"].iter().all(|value| !candidates(value, Quantity::Length, names).is_empty())
 }
 
 /// Whether there are the counts or speeds of two wheels.

@@ -3,6 +3,7 @@
 /// What a table holds besides what it is read as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Holds {
+    Truth,
     Positions,
     Motion,
     Ranges,

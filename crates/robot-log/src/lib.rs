@@ -90,6 +90,7 @@ mod stamp;
 mod stamps;
 mod table;
 mod trajectory;
+mod true_names;
 mod turning;
 mod twice;
 mod unit;

@@ -77,7 +77,7 @@ fn a_true_track_with_velocities_is_driven_by_them_where_no_other_file_says_how_t
     let table = ("sim.csv", "t,v,omega,x_true,y_true,d1,d2\n0,1,0,0,0,5,6\n0.1,1,0,0.1,0,5,6\n");
     let alone = files(&[table, ANCHORS]);
     let names: Vec<&str> = alone.files().iter().map(|file| file.name()).collect();
-    assert_eq!(names, ["sim.csv", "anchors.csv", "sim.csv, its positions", "sim.csv, its motion"]);
+    assert_eq!(names, ["sim.csv", "anchors.csv", "sim.csv, its truth", "sim.csv, its motion"]);
     assert_eq!(counts(&alone), [2, 4, 0]);
     assert!(alone.read().expect("sound").log.drive.truth.position(0.05).is_some());
     let wheels = ("wheels.csv", "t,v,omega\n0,1,0\n0.1,1,0\n0.2,1,0\n");
@@ -95,6 +95,17 @@ fn places_beside_ranges_are_asked_about_and_their_answer_says_what_drives() {
     for (answer, wanted) in [(Role::Truth, [2, 4, 0]), (Role::Sensors, [2, 4, 2]), (Role::Unused, [2, 4, 0])] {
         files.set_role(2, answer);
         assert_eq!(counts(&files), wanted, "{answer:?}");
+    }
+    // Whether the landmarks come first does not matter, nor whether the columns have their names.
+    for order in [[0, 1], [1, 0]] {
+        let all = [
+            ("all.csv", "t,v,omega,x,y,a,b\n0,1,0,0,0,5,6\n0.1,1,0,0.1,0,5,6\n"),
+            ("map.csv", "id,x,y\na,0,0\nb,9,0\n"),
+        ];
+        let named = self::files(&order.map(|i| all[i]));
+        let asks = named.files().iter().filter(|file| file.role() == Role::Undecided).count();
+        let ranges = named.files().iter().filter(|file| file.role() == Role::Ranges).count();
+        assert_eq!((asks, ranges), (1, 1), "{:?}", read_as(&named));
     }
     // A file that is left out is left out whole.
     files.set_role(0, Role::Unused);
@@ -117,4 +128,32 @@ fn a_column_is_unread_where_no_reading_of_its_file_has_it() {
     let table = ("run.csv", "t,v,omega,range1,range2,voltage\n0,1,0,5,6,12\n");
     let files = files(&[table, ANCHORS]);
     assert_eq!((files.unread(0), files.unread(2)), (vec![5], Vec::new()));
+}
+
+/// The x and y of the truth are those that are called so; the others are a sensor's.
+#[test]
+fn a_true_pose_beside_a_receivers_is_never_taken_for_it() {
+    let rows = "0,1,0,9,9,9,0,0,0\n0.1,1,0,9,9,9,0.1,0,0\n";
+    for head in ["t,v,omega,gps_x,gps_y,cog,gt_x,gt_y,gt_yaw", "t,v,omega,fix_x,fix_y,q,x_true,y_true,theta_true"] {
+        let text = format!("{head}\n{rows}");
+        let files = files(&[("one.csv", &text)]);
+        let roles: Vec<Role> = files.files().iter().map(|file| file.role()).collect();
+        assert_eq!(roles, [Role::Truth, Role::Sensors], "{head}");
+        let truth = files.files()[0].columns();
+        assert_eq!(truth[1..4], [Some(6), Some(7), Some(8)], "{head}");
+        assert_eq!(counts(&files)[2], 2, "{head}");
+        let read = files.read().expect("sound");
+        assert!(read.log.drive.truth.position(0.0).is_some_and(|at| at == [0.0, 0.0]), "{head}");
+        assert!(
+            read.log.drive.rows.iter().all(|row| !matches!(row.event, Event::Heading { theta, .. } if theta == 0.0))
+        );
+    }
+    // A place without a name may be the robot's own reckoning: it is asked about.
+    let mut asks = files(&[("one.csv", &format!("t,v,omega,x,y,q,gt_x,gt_y,gt_yaw\n{rows}"))]);
+    let answers = [Role::Sensors, Role::Unused];
+    assert_eq!((asks.files()[0].role(), asks.files()[1].answers()), (Role::Truth, &answers[..]));
+    for (answer, fixes) in [(Role::Sensors, 2), (Role::Unused, 0)] {
+        asks.set_role(1, answer);
+        assert_eq!(counts(&asks), [2, 0, fixes], "{answer:?}");
+    }
 }

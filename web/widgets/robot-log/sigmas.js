@@ -39,6 +39,13 @@ export function hides(sigma, pace) {
   return `So much is ${share} % of what is driven in a second: a fault of the motion may hide in it.`
 }
 
+/** The σ that the readings have which are no outliers. @param {string} name @param {Suspect['sizes'][number]} size */
+export function withoutOutliers(name, size) {
+  const [whose, unit] = SIGMAS[name] ?? []
+  if (!whose) return `Without them ${plusMinus(size)} times the σ that the ${CLAIMS[name][0]} bring fits.`
+  return `Without them the σ of ${whose} is ${plusMinus(size)} ${unit}, and is set to ${claimed(size.now)}.`
+}
+
 /** What it is, and what mends it. @param {Suspect} suspect */
 export function sigmaSentence({ name, claims, sizes: [size] }) {
   const { now, value } = size

@@ -4,7 +4,7 @@ import { fixed } from '../../draw/numbers.js'
 import { odometrySentence } from './driven.js'
 import { NEAR, named } from './named.js'
 import { off as offset, scaleSentence } from './scales.js'
-import { hides, sigmaKind, sigmaSentence } from './sigmas.js'
+import { hides, sigmaKind, sigmaSentence, withoutOutliers } from './sigmas.js'
 import { biased, displaced, exchanged } from './misplaced.js'
 import { brief, claimed, digits, isStair, plusMinus } from './sized.js'
 import { startSentence } from './start.js'
@@ -119,12 +119,15 @@ function foreign({ suspects, ungated, against }, truth, log) {
   )
 }
 
-/** A delay that is shorter than a step. @param {Suspect} suspect @param {LogJudgement} judgement */
+/** A delay that half a step explains. @param {Suspect} suspect @param {LogJudgement} judgement */
 function model(suspect, { period }) {
   const [size] = suspect.sizes
   const off = size.value - size.now
+  const step = `half a step of ${brief(period)} s between rows of motion`
+  const said =
+    Math.abs(off) > period / 2 ? `, which makes the readings no likelier than ${step}` : `: less than ${step}`
   return (
-    `${late(suspect, off)}: less than half a step of ${brief(period)} s between rows of motion. ` +
+    `${late(suspect, off)}${said}. ` +
     'That may be the motion model’s own, which holds what it reads for a step, drives it straight and turns then.'
   )
 }
@@ -234,7 +237,8 @@ export function sentence(suspect, truth, log = null) {
     // A handful are counted: that they are there is sure, and their share is not.
     const few = size.sigma !== null && size.value < 2 * size.sigma
     const share = few ? `About ${digits(size, 100)}` : plusMinus(size, 100)
-    return `${share} % of the ${rows} are outliers: switch their gate on, which refuses them.`
+    const others = name && second ? ` ${withoutOutliers(name, second)}` : ''
+    return `${share} % of the ${rows} are outliers: switch their gate on, which refuses them.${others}`
   }
   if (fault === 'clock') {
     const what = second ? `${delays(suspect)}${truth ? '' : MOTION}` : `set the delay to ${digits(size)} s.`

@@ -17,8 +17,9 @@ const FOR_THE_CLAIM: f64 = 1.3;
 /// One with a NEES beyond this still has a fault, unless the error has fallen by this ratio meanwhile.
 const WILD: f64 = 20.0;
 const BETTER: f64 = 0.9;
-/// A delay of more steps than this is not the motion model's own.
+/// A delay of more steps than this is not the motion model's own; one that gains less than this beyond half a step is.
 const MOST_OWN: f64 = 2.0;
+const AS_MUCH: f64 = 0.5;
 /// So many delays are looked at for stairs: those that a sentence may name.
 const NAMED: usize = 2;
 /// One whose NEES is what is expected, to within this logarithm, claims what it is: a σ is not refuted by so little.
@@ -104,27 +105,32 @@ fn delayed(suspect: &Suspect) -> Option<(Vec<Fitted>, f64)> {
 }
 
 /// Whether a suspect is the motion model's own: a delay of at most half a step, with motion about every `period`
-/// seconds.
-pub(crate) fn is_own(suspect: &Suspect, period: f64) -> bool {
+/// seconds, or a longer one that makes the readings no likelier than half a step does.
+pub(crate) fn is_own(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Scope, period: f64) -> bool {
     let half = 0.5 * period;
     // One that is not known to be longer is not.
     let more = suspect.sizes.first().map_or(0.0, |size| (2.0 * size.sigma).min(0.3 * half));
     delayed(suspect).is_some_and(|(_, off)| off.abs() <= half + more)
+        || beyond_half(drive, suspect, round, scope, period).is_some_and(|gain| gain <= AS_MUCH)
+}
+
+/// By how much a delay of a step or two makes the readings likelier than half a step the same way; `None` of others.
+fn beyond_half(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Scope, period: f64) -> Option<f64> {
+    let (numbers, off) = delayed(suspect).filter(|(_, off)| off.abs() <= MOST_OWN * period)?;
+    let mut place = round.place;
+    for number in &numbers {
+        let half = number.get(&place.settings) + (0.5 * period).copysign(off);
+        number.set(&mut place.settings, half);
+    }
+    let by_half = Evidence::new(drive, &place, scope.rows).ok()?.gain(round.base.as_ref()?, scope.from);
+    Some(suspect.gain - by_half)
 }
 
 /// Says of delays of a step or two that the motion model's own half a step may be what they are, where they make the
 /// readings no likelier than that and chance do.
 pub(crate) fn may_be_own(drive: &Drive, suspects: &mut [Suspect], round: &Round, scope: &Scope, period: f64) {
     for suspect in suspects.iter_mut().filter(|it| it.standing != Standing::Cleared) {
-        let Some((numbers, off)) = delayed(suspect).filter(|(_, off)| off.abs() <= MOST_OWN * period) else { continue };
-        let mut place = round.place;
-        for number in &numbers {
-            let half = number.get(&place.settings) + (0.5 * period).copysign(off);
-            number.set(&mut place.settings, half);
-        }
-        let by_half = Evidence::new(drive, &place, scope.rows).ok().zip(round.base.as_ref());
-        let by_half = by_half.map_or(0.0, |(evidence, base)| evidence.gain(base, scope.from));
-        if suspect.gain - by_half <= scope.chance[1] {
+        if beyond_half(drive, suspect, round, scope, period).is_some_and(|gain| gain <= scope.chance[1]) {
             (suspect.own, suspect.standing) = (true, Standing::Maybe);
         }
     }

@@ -2,19 +2,16 @@
 
 use crate::drive::course::{Course, Otherwise};
 use crate::drive::displaced::{biased, displaced};
-use crate::drive::evidence::{Evidence, OUTLIERS, Trial};
+use crate::drive::evidence::{Evidence, Trial};
 use crate::drive::exchange::likeliest;
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
 use crate::drive::freed::{Freed, Numbers, ROUNDS, ROUNDS_OF_A_FACTOR, Search};
+use crate::drive::outliers::{sigma_of, tails};
 use crate::drive::row::Drive;
-use crate::drive::sensor::Sensor;
 use crate::drive::suspect::{Size, Standing, Suspect, Tried};
 use crate::error::Error;
 use alloc::vec::Vec;
-
-/// Readings of which this share would be outliers have none: the model is wrong.
-const MANY: f64 = 0.5;
 
 /// What is the same for all suspects of a log.
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +57,11 @@ impl Round {
         Ok(true)
     }
 
+    /// What another suspect has gained; nothing of one that was not looked at.
+    fn gain_of(&self, tried: Tried) -> f64 {
+        self.found.iter().find(|(suspect, _)| suspect.tried() == tried).map_or(0.0, |(suspect, _)| suspect.gain)
+    }
+
     fn look(&self, drive: &Drive, scope: &Scope, base: &Evidence, tried: Tried) -> (Suspect, Trial) {
         let clock = tried.fault() == Fault::Clock;
         let search = Search { drive, rows: scope.rows, from: if clock { scope.from } else { 0 }, base };
@@ -75,9 +77,15 @@ impl Round {
             first,
         };
         let nothing = || Freed { at: numbers.first.clone(), sigmas: Vec::new(), gain: 0.0 };
-        let (mut mended, mut landmarks) = (None, Vec::new());
+        let (mut mended, mut landmarks, mut behind) = (None, Vec::new(), None);
         let freed = match tried {
-            Tried::Outliers(sensor) => outliers(&search, sensor, &place(&[])),
+            Tried::Outliers(sensor) => {
+                let number = sigma_of(sensor, &self.tried).map(|number| (number, self.gain_of(Tried::Number(number))));
+                tails(&search, sensor, place(&[]), number, scope.chance[1]).map(|found| {
+                    (mended, behind) = (Some(found.place), found.sigma);
+                    found.freed
+                })
+            }
             Tried::Mirrored => {
                 let gain = search.replay(&place(&[])).map(|evidence| evidence.gain(base, search.from));
                 gain.filter(|gain| gain.is_finite()).map(|gain| Freed { gain, ..nothing() })
@@ -135,11 +143,12 @@ impl Round {
             Tried::Displaced | Tried::LandmarkBias => drive.landmarks.len() as f64,
             _ => 1.0,
         };
-        let chance = scope.chance[tried.freedom()] + libm::log(among);
+        sizes.extend(behind.map(|(_, size)| size));
+        let chance = scope.chance[tried.freedom() + usize::from(behind.is_some())] + libm::log(among);
         let id = |at: usize| drive.landmarks.get(at).map_or(0, |landmark| landmark.id);
         let mut suspect = Suspect {
             fault: tried.fault(),
-            number: which.first().copied(),
+            number: which.first().copied().or(behind.map(|(number, _)| number)),
             with: which.get(1).copied(),
             sensor: if let Tried::Outliers(sensor) = tried { Some(sensor) } else { None },
             landmarks: landmarks.into_iter().map(id).collect(),
@@ -155,21 +164,4 @@ impl Round {
         suspect.weigh();
         (suspect, mended.unwrap_or_else(|| place(&freed.at)))
     }
-}
-
-/// What a gate brings that takes what it refuses for outliers, whose share is the one that is found.
-fn outliers(search: &Search<'_>, sensor: Sensor, place: &Trial) -> Option<Freed> {
-    let evidence = Evidence::new(search.drive, place, search.rows).ok()?;
-    let [refused, all] = evidence.refused(|of| of == sensor).map(f64::from);
-    let share = refused / all;
-    let of = |count: f64, share: f64, assumed: f64| if count > 0.0 { count * libm::log(share / assumed) } else { 0.0 };
-    let gain = evidence.gain(search.base, search.from)
-        + of(refused, share, OUTLIERS)
-        + of(all - refused, 1.0 - share, 1.0 - OUTLIERS);
-    let sigma = libm::sqrt(share * (1.0 - share) / all);
-    (gain.is_finite() && refused > 0.0 && share < MANY).then(|| Freed {
-        at: alloc::vec![share],
-        sigmas: alloc::vec![sigma],
-        gain,
-    })
 }

@@ -38,7 +38,8 @@ pub struct Size {
 pub struct Suspect {
     /// Of which kind.
     pub fault: Fault,
-    /// The setting that mends it; `None` of the start, of outliers, which a gate refuses, and of what no setting mends.
+    /// The setting that mends it; `None` of the start and of what no setting mends. Of outliers, which a gate refuses,
+    /// the σ of their sensor, where that is another one behind the gate.
     pub number: Option<Fitted>,
     /// The setting that mends it together with that one: the other of the ranges' scale and offset, or a second delay.
     pub with: Option<Fitted>,
@@ -47,7 +48,7 @@ pub struct Suspect {
     /// The two landmarks that are exchanged, by their ids, or the one that stands elsewhere or whose ranges are off.
     pub landmarks: Vec<u32>,
     /// The numbers; of the start x, y and θ in m, m and rad; of a landmark x and y in m, or by how much its ranges
-    /// are too long; of outliers their share; of
+    /// are too long; of outliers their share, and σ where that is another one behind the gate; of
     /// odometry the shares by which distances and, where it turns, turns are larger than they are read.
     pub sizes: Vec<Size>,
     /// The least of the standard deviations that readings bring, their median and the greatest: of a factor on them.
@@ -77,13 +78,13 @@ impl Suspect {
             (Fault::Displaced, ..) => Tried::Displaced,
             (Fault::LandmarkBias, ..) => Tried::LandmarkBias,
             (Fault::Odometry, ..) => Tried::Odometry(self.sizes.len()),
+            (Fault::Tails, _, Some(sensor)) => Tried::Outliers(sensor),
             (Fault::Clock, ..) if self.with.is_some() => {
                 Tried::Together(READINGS.map(|it| self.sizes.len() > 2 || [self.number, self.with].contains(&Some(it))))
             }
             (_, Some(_), _) if self.with.is_some() => Tried::Ruler,
             (_, Some(number), _) => Tried::Number(number),
-            (_, None, Some(sensor)) => Tried::Outliers(sensor),
-            (_, None, None) => Tried::Start,
+            (_, None, _) => Tried::Start,
         }
     }
 }

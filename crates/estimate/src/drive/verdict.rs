@@ -163,7 +163,7 @@ impl Verdict {
             let mut found = core::mem::take(&mut self.first.found);
             sifted(&mut found, self.scope.chance[1]);
             self.first.found = ranked(found);
-            if self.trust_gates() || self.turn_on_the_way(drive) || self.set_apart() {
+            if self.trust_gates() || self.turn_on_the_way(drive) || self.set_apart(drive) {
                 return Ok(true);
             }
             self.sole = by_itself(&mut self.first, drive, &self.scope)?;
@@ -202,12 +202,12 @@ impl Verdict {
     }
 
     /// Sets a delay apart that is the motion model's own, and frees the others beside it; whether there was one.
-    fn set_apart(&mut self) -> bool {
+    fn set_apart(&mut self, drive: &Drive) -> bool {
         let likely = |suspect: &Suspect| suspect.excess > 0.0 && suspect.fault != Fault::Sigma;
         let Some((own, place)) = self.first.found.iter().find(|(suspect, _)| likely(suspect)) else {
             return false;
         };
-        if !is_own(own, self.period) {
+        if !is_own(drive, own, &self.first, &self.scope, self.period) {
             return false;
         }
         let tried: Vec<Tried> = self.first.tried.iter().copied().filter(|tried| *tried != own.tried()).collect();

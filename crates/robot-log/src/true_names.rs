@@ -1,0 +1,52 @@
+//! Columns that are called a true pose, beside others that a sensor read.
+
+use crate::names::{Name, candidates};
+use crate::role::{Quantity, Role};
+
+/// Whether a column is called true. True north, and the course from there, are none.
+pub(crate) fn is_true(name: &Name) -> bool {
+    let of_north = name.has("true") && name.has_one(&["heading", "hdg", "north", "course", "track", "bearing"]);
+    name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]) && !of_north
+}
+
+/// The columns that are called true, or the others; what is none of these has no name.
+fn parted(names: &[Name], truth: bool) -> Vec<Name> {
+    names.iter().map(|name| if is_true(name) == truth { name.clone() } else { Name::new("") }).collect()
+}
+
+/// Whether the columns that are called true, or the others, have an x and a y.
+pub(crate) fn has_place(names: &[Name], truth: bool) -> bool {
+    has(names, truth, ["x", "y"], Quantity::Length)
+}
+
+/// Whether these have a latitude and a longitude.
+pub(crate) fn has_coordinates(names: &[Name], truth: bool) -> bool {
+    has(names, truth, ["latitude", "longitude"], Quantity::Coordinate)
+}
+
+fn has(names: &[Name], truth: bool, values: [&str; 2], quantity: Quantity) -> bool {
+    let names = parted(names, truth);
+    values.iter().all(|value| !candidates(value, quantity, &names).is_empty())
+}
+
+/// Whether an x that is not called true is a receiver's.
+pub(crate) fn is_received(names: &[Name]) -> bool {
+    let x = candidates("x", Quantity::Length, &parted(names, false));
+    x.iter().any(|at| names[*at].has_one(&["gps", "gnss", "rtk", "fix"]))
+}
+
+/// The columns among which a role looks for a value: a truth for its pose among those that are called true, a sensor
+/// among the others.
+pub(crate) fn sought(role: Role, value: &str, names: &[Name]) -> Vec<Name> {
+    let of_pose = matches!(value, "x" | "y" | "heading" | "latitude" | "longitude");
+    let called = has_place(names, true) || has_coordinates(names, true);
+    match role {
+        Role::Sensors if of_pose && names.iter().any(is_true) => parted(names, false),
+        // A heading without a name of its own may be the true one where nothing else is there that has a pose.
+        Role::Truth if of_pose && called => {
+            let alone = value == "heading" && !has_place(names, false) && !has_coordinates(names, false);
+            if alone { names.to_vec() } else { parted(names, true) }
+        }
+        _ => names.to_vec(),
+    }
+}
