@@ -1,8 +1,8 @@
 //! Outliers among the readings of a sensor: what a gate brings that refuses them, by itself or with another σ.
 //!
-//! Outliers that are not very far off look like a larger σ, and a σ that was found among them hides them: beside it they
-//! stand out no more. Behind a gate the σ is therefore sought anew, and counts where the two together explain much more
-//! than either does.
+//! Outliers that are not very far off look like a larger σ, and a σ that was found among them hides them: beside it
+//! they stand out no more. Behind a gate the σ is therefore sought anew, and counts where the two together explain much
+//! more than either does.
 
 use crate::drive::evidence::{OUTLIERS, Trial};
 use crate::drive::fitted::Fitted;
