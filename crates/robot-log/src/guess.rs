@@ -120,7 +120,8 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
     let [x, y] = [has("x", Quantity::Length), has("y", Quantity::Length)];
     let landmark = has("landmark", Quantity::Number);
     let heading = has("heading", Quantity::Heading);
-    let fix = has("latitude", Quantity::Coordinate) && has("longitude", Quantity::Coordinate);
+    let read = has_coordinates(names, false) && !said.contains(&Role::Truth);
+    let fix = has_coordinates(names, false) || has_coordinates(names, true);
     let place = x && y && !axes;
     if !timed {
         let role = match () {
@@ -141,11 +142,11 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
     let certain = |role| (role, None);
     match () {
         // A column of some number of the device is no landmark.
-        () if fix && (v || omega) && !is_true => certain(Role::Sensors),
+        () if read && (v || omega) => certain(Role::Sensors),
         () if sightings && !said.contains(&Role::Velocities) => certain(Role::Sightings),
         () if wide::group(names).is_some() => certain(Role::Ranges),
         () if encoders => certain(Role::Encoders),
-        () if fix && !is_true => certain(Role::Sensors),
+        () if read => certain(Role::Sensors),
         () if v && omega && !place => certain(Role::Velocities),
         () if v && omega && is_own_pose(names) => certain(Role::Velocities),
         () if odometry && !place => certain(Role::Odometry),

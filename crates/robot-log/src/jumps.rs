@@ -16,6 +16,13 @@ impl File {
         let column = self.source.column(["left", "right"][first.side])?;
         let (name, line, from, to) = (&self.header()[column], first.line, first.from, first.to);
         let more = jumps.odd.len() - 1;
+        if let Some(gap) = first.gap {
+            return Some(format!(
+                "Before line {line} nothing was counted for {gap:.1} s, in which \u{201c}{name}\u{201d} may have begun \
+                 anew unseen: part the file there, or say that the count begins anew at a jump, and the way of that \
+                 time is lost."
+            ));
+        }
         let others = if more == 0 { String::new() } else { format!(" ({more} more like it)") };
         Some(format!(
             "In line {line} \u{201c}{name}\u{201d} jumps from {from} to {to}, which no motion does{others}: mend the \

@@ -41,6 +41,11 @@ impl Name {
         words.iter().any(|word| self.has(word))
     }
 
+    /// Whether it has one of these besides what all columns of its table have.
+    pub fn has_one_itself(&self, words: &[&str]) -> bool {
+        self.words.iter().skip(self.shared).any(|word| words.contains(&word.as_str()))
+    }
+
     /// Whether words stand below the name.
     pub fn has_below(&self) -> bool {
         self.own < self.words.len()

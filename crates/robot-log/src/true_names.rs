@@ -1,7 +1,8 @@
-//! Columns that are called a true pose, beside others that a sensor read.
+//! Columns that are called a true pose, and those that a sensor may have read: not what a filter made of them.
 
 use crate::names::{Name, candidates};
 use crate::role::{Quantity, Role};
+use crate::vocabulary::MADE;
 
 /// Whether a column is called true. True north, and the course from there, are none.
 pub(crate) fn is_true(name: &Name) -> bool {
@@ -9,9 +10,10 @@ pub(crate) fn is_true(name: &Name) -> bool {
     name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]) && !of_north
 }
 
-/// The columns that are called true, or the others; what is none of these has no name.
+/// The columns that are called true, or those that a sensor may have read; what is none of these has no name.
 fn parted(names: &[Name], truth: bool) -> Vec<Name> {
-    names.iter().map(|name| if is_true(name) == truth { name.clone() } else { Name::new("") }).collect()
+    let is_one = |name: &Name| is_true(name) == truth && (truth || !name.has_one_itself(&MADE));
+    names.iter().map(|name| if is_one(name) { name.clone() } else { Name::new("") }).collect()
 }
 
 /// Whether the columns that are called true, or the others, have an x and a y.
@@ -41,7 +43,12 @@ pub(crate) fn sought(role: Role, value: &str, names: &[Name]) -> Vec<Name> {
     let of_pose = matches!(value, "x" | "y" | "heading" | "latitude" | "longitude");
     let called = has_place(names, true) || has_coordinates(names, true);
     match role {
-        Role::Sensors if of_pose && names.iter().any(is_true) => parted(names, false),
+        // Places of a filter are a sensor's where the reader says so; whose heading it is is not said by that.
+        Role::Sensors if of_pose => {
+            let some = value == "heading" || has_place(names, false) || has_coordinates(names, false);
+            let untrue = || names.iter().map(|name| if is_true(name) { Name::new("") } else { name.clone() });
+            if some { parted(names, false) } else { untrue().collect() }
+        }
         // A heading without a name of its own may be the true one where nothing else is there that has a pose.
         Role::Truth if of_pose && called => {
             let alone = value == "heading" && !has_place(names, false) && !has_coordinates(names, false);

@@ -110,7 +110,8 @@ const WAYS: [(&str, &str); 21] = [
     ("longitude", "=lon,=lng,=longitude,longitude,lon,lng,long,lange,laenge,langengrad,longitud,longitudine"),
     (
         "sigma",
-        "horizontal accuracy,position accuracy,position sigma,position std,=sigma,=σ,=accuracy,=std,=hacc,=h acc,=eph,\
+        "horizontal accuracy,position accuracy,position sigma,position std,gps sigma,gnss sigma,fix sigma,gps std,gnss std,\
+         =sigma,=σ,=accuracy,=std,=hacc,=h acc,=eph,\
          =genauigkeit,=standardabweichung,=precision,=precisione,=desviacion,=ecart type,sigma position,sigma pos,\
          accuracy,genauigkeit,precision,precisione,standardabweichung,position covariance 0,position variance,\
          =variance,=var,=variance x,=var x,=cov x,=cov xx,=covariance xx,varianz",
@@ -203,6 +204,42 @@ pub(crate) const FORBIDDEN: [(&str, &[&str]); 13] = [
     ),
     ("sigma", &["heading", "bearing", "speed", "vertical", "yaw", "course", "range", "angle", "velocity", "direction"]),
     ("left", &["range", "distance", "camera", "image", "sonar", "ultrasonic"]),
+];
+
+/// Words of what a filter or a planner has made of a pose, which no sensor has read.
+pub(crate) const MADE: [&str; 32] = [
+    "est",
+    "estimate",
+    "estimated",
+    "ekf",
+    "ukf",
+    "kf",
+    "filter",
+    "filtered",
+    "fused",
+    "slam",
+    "amcl",
+    "odom",
+    "odometry",
+    "dr",
+    "reckoned",
+    "ref",
+    "reference",
+    "desired",
+    "des",
+    "cmd",
+    "command",
+    "target",
+    "setpoint",
+    "goal",
+    "pred",
+    "predicted",
+    "hat",
+    "smoothed",
+    "prior",
+    "posterior",
+    "planned",
+    "plan",
 ];
 
 /// Words of columns that are often beside a speed or a turn rate and hold neither.

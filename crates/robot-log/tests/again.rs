@@ -157,3 +157,27 @@ fn a_true_pose_beside_a_receivers_is_never_taken_for_it() {
         assert_eq!(counts(&asks), [2, 0, fixes], "{answer:?}");
     }
 }
+
+/// What a filter or a planner has made of a pose is no reading, and a compass beside it is.
+#[test]
+fn the_heading_of_an_estimate_is_no_compass() {
+    for made in ["ekf_yaw_rad", "odom_yaw_rad", "ref_yaw_rad", "est_yaw_deg", "yaw_est"] {
+        let text = format!(
+            "time,v,omega,lat,lon,compass_rad,ekf_x,ekf_y,{made}\n0,1,0,50,8,0.5,9,9,2\n1,1,0,50,8,0.5,9,9,2\n"
+        );
+        let files = files(&[("one.csv", &text)]);
+        let file = &files.files()[0];
+        let heading = file.role().values().iter().position(|value| value.name == "heading").expect("it has one");
+        assert_eq!((files.files().len(), file.role(), file.columns()[heading]), (1, Role::Sensors, Some(5)), "{made}");
+        assert_eq!(files.unread(0), [6, 7, 8], "{made}");
+    }
+}
+
+#[test]
+fn a_true_latitude_is_the_truth_beside_a_receivers() {
+    let text =
+        "time,v,omega,lat,lon,compass_rad,true_lat,true_lon\n0,1,0,50,8,0.5,50,8\n1,1,0,50,8.0001,0.5,50,8.0001\n";
+    let files = files(&[("one.csv", text)]);
+    let as_read = [("one.csv", Role::Sensors, None), ("one.csv, its truth", Role::Truth, Some(0))];
+    assert_eq!((read_as(&files).as_slice(), files.unread(0)), (&as_read[..], vec![]));
+}

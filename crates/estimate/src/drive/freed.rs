@@ -19,6 +19,9 @@ const HALVINGS: u32 = 3;
 /// Steps of ln σ, by which the likelihood's curvature is taken, and the longest that is tried.
 const SIGMA_STEP: f64 = 0.2;
 const LONGEST: f64 = 1.0;
+/// A step of three σ makes the readings less likely by so much at least, or is doubled, so many times at most.
+const LEAST_FALL: f64 = 1.0;
+const DOUBLINGS: u32 = 12;
 
 /// What freeing numbers brings.
 #[derive(Clone, Debug)]
@@ -82,6 +85,33 @@ impl Search<'_> {
         }
         let far = best.and_then(|(from, here)| self.ascend(numbers, from, Some(here)));
         Some(far.map_or(near, |(found, _)| found))
+    }
+
+    /// How well numbers are told behind a gate, where a small step may change what it refuses: as far as the readings are
+    /// less likely by what that uncertainty promises.
+    pub fn widened<F: Fn(&[f64]) -> Trial>(&self, numbers: &Numbers<'_, F>, mut found: Freed) -> Freed {
+        for i in 0..found.sigmas.len() {
+            let falls = |step: f64| {
+                let mut at = found.at.clone();
+                at[i] += step;
+                self.replay(&(numbers.place)(&at))
+                    .map_or(f64::INFINITY, |it| found.gain - it.gain(self.base, self.from))
+            };
+            // At three σ the logarithm has fallen by 4.5: where it has by less than a fifth of that, σ is another.
+            let mut step = 3.0 * found.sigmas[i];
+            let mut fall = falls(step).min(falls(-step));
+            let mut doublings = 0;
+            while fall < LEAST_FALL && doublings < DOUBLINGS {
+                step *= 2.0;
+                fall = falls(step).min(falls(-step));
+                doublings += 1;
+            }
+            if doublings > 0 {
+                found.sigmas[i] =
+                    if fall < LEAST_FALL { f64::INFINITY } else { step / libm::sqrt(2.0 * fall.min(4.5)) };
+            }
+        }
+        found
     }
 
     /// Steps up from what was found, and what the first of them promised.

@@ -28,6 +28,8 @@ const ROUNDS: usize = 40;
 const HALF: f64 = 3.0;
 /// Readings that are so many times farther from the best start than they claim are of another world.
 const WORST: f64 = 3.0;
+/// Readings that fit better than they claim tell the start better by this at most.
+const LEAST: f64 = 0.5;
 /// Another place is as likely where its readings are not e to this less likely.
 const CLEAR: f64 = 5.0;
 /// It is another place where it is so many standard deviations away, and so far, m and rad.
@@ -58,7 +60,7 @@ impl Drive {
         let (mut count, mut best) = (FEWEST, None);
         loop {
             let seen = self.seen(settings, count)?;
-            let found = start(&seen).and_then(|found| opening(&found, &seen, settings));
+            let found = start(&seen).and_then(|found| opening(&found, &seen));
             if found.is_none() && best.is_some() {
                 return best;
             }
@@ -200,16 +202,17 @@ fn deviations(found: &Found) -> Option<Vector3<f64>> {
     off.iter().all(|it| it.is_finite()).then_some(off)
 }
 
-/// The start as a filter takes it, which reads the same ranges again: it is told no better than by one of them.
-fn opening(found: &Found, seen: &[Seen], settings: &Settings) -> Option<Opening> {
+/// The start as a filter takes it, which reads the same ranges again: it is told by half of them.
+fn opening(found: &Found, seen: &[Seen]) -> Option<Opening> {
     let off = deviations(found)?;
     let outputs: usize = seen.iter().map(|it| 1 + usize::from(it.bearing.is_some())).sum();
     let spread = libm::sqrt(2.0 * found.cost / outputs.saturating_sub(3).max(1) as f64);
     if spread > WORST {
         return None;
     }
-    let wider = spread.max(1.0);
-    let sigma = (wider * off[0].max(off[1])).max(settings.sigma_range);
+    // Where σ is set larger than it is, its readings fit better than they claim, and tell the start as much better.
+    let wider = spread.max(LEAST) * core::f64::consts::SQRT_2;
+    let sigma = wider * off[0].max(off[1]);
     let pose = [found.pose[0], found.pose[1], found.pose[2]];
     Some(Opening { pose, sigma, sigma_heading: (wider * off[2]).min(PI) })
 }

@@ -105,7 +105,11 @@ impl Round {
                 })
             }
             _ if tried.fault() == Fault::Sigma => search.sigma(&numbers),
-            _ => search.means(&numbers),
+            _ => {
+                let gated = base.refused(|sensor| self.place.settings.gate.of(sensor).is_some())[1] > 0;
+                let far = |freed: &Freed| gated && freed.gain > scope.chance[tried.freedom()];
+                search.means(&numbers).map(|freed| if far(&freed) { search.widened(&numbers, freed) } else { freed })
+            }
         };
         let freed = freed.unwrap_or_else(nothing);
         let begin = Course::new(drive, self.place.settings)
