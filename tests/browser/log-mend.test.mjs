@@ -81,6 +81,10 @@ test('a start that the verdict names is set at a press, and undone at another', 
   assert.equal(await page.locator('.log-mend').isVisible(), false, 'nothing is named of the log that the page brings')
   // Begun far from where the filter starts, and so long that a verdict takes several frames.
   await choose(circle('circle.csv', 2000))
+  // The first ranges say where it began.
+  const { params: opened } = await until(it, (frame) => frame.params.start && frame.judgement, 'the start of the log')
+  assert.ok(Math.hypot(opened.start[0] - 10, opened.start[1] - 7) < 0.5, String(opened.start))
+  await page.getByRole('button', { name: 'At the origin' }).click()
   const bar = page.locator('robot-log .live .log-mend')
   const press = bar.getByRole('button', { name: 'Set the start so' })
   await press.waitFor()

@@ -13,7 +13,7 @@ use js_sys::{Array, JsString};
 use lab::{Lab, Params, Plain};
 use labs::{LogParams, LoggedDrive};
 use robot_log::{Corrections, Understood};
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::sync::{Arc, Weak};
 use wasm_bindgen::prelude::*;
 
@@ -118,6 +118,8 @@ struct LogContents {
     names: Vec<String>,
     wheels: bool,
     corrections: Corrections,
+    /// Where it began, once that was asked: a search.
+    opening: OnceCell<Option<Opening>>,
 }
 
 const LOG: &str = "DriveLog";
@@ -145,7 +147,7 @@ impl DriveLog {
                 ("corrections", log_corrections::shown(&held.corrections)),
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
-                ("opening", opening(drive)),
+                ("opening", opening(*held.opening.get_or_init(|| began(drive)))),
                 ("names", texts(&held.names)),
                 ("notes", texts(&held.notes)),
             ])
@@ -169,7 +171,9 @@ impl DriveLog {
             logs.push((handle, Arc::downgrade(&logged)));
             handle
         });
-        Self(Held::new(LOG, LogContents { handle, logged, rows: count, notes, names, wheels, corrections }))
+        let opening = OnceCell::new();
+        let held = LogContents { handle, logged, rows: count, notes, names, wheels, corrections, opening };
+        Self(Held::new(LOG, held))
     }
 }
 
@@ -197,8 +201,11 @@ fn own(drive: &Drive) -> JsValue {
 }
 
 /// Where a drive began by its first fixes or ranges, if no truth says it; what has no σ of its own has the default's.
-fn opening(drive: &Drive) -> JsValue {
-    let found = drive.truth.poses().is_empty().then(|| drive.opening(&Settings::default())).flatten();
+fn began(drive: &Drive) -> Option<Opening> {
+    drive.truth.poses().is_empty().then(|| drive.opening(&Settings::default())).flatten()
+}
+
+fn opening(found: Option<Opening>) -> JsValue {
     found.map_or(JsValue::NULL, |Opening { pose, sigma, sigma_heading }| {
         record(&[
             ("start", crate::encode::list(&pose)),

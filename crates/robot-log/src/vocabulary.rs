@@ -110,8 +110,8 @@ const WAYS: [(&str, &str); 21] = [
     ("longitude", "=lon,=lng,=longitude,longitude,lon,lng,long,lange,laenge,langengrad,longitud,longitudine"),
     (
         "sigma",
-        "horizontal accuracy,position accuracy,position sigma,position std,gps sigma,gnss sigma,fix sigma,gps std,gnss std,\
-         =sigma,=σ,=accuracy,=std,=hacc,=h acc,=eph,\
+        "horizontal accuracy,position accuracy,position sigma,position std,gps sigma,gnss sigma,fix sigma,gps std,\
+         gnss std,=sigma,=σ,=accuracy,=std,=hacc,=h acc,=eph,\
          =genauigkeit,=standardabweichung,=precision,=precisione,=desviacion,=ecart type,sigma position,sigma pos,\
          accuracy,genauigkeit,precision,precisione,standardabweichung,position covariance 0,position variance,\
          =variance,=var,=variance x,=var x,=cov x,=cov xx,=covariance xx,varianz",

@@ -87,8 +87,8 @@ impl Search<'_> {
         Some(far.map_or(near, |(found, _)| found))
     }
 
-    /// How well numbers are told behind a gate, where a small step may change what it refuses: as far as the readings are
-    /// less likely by what that uncertainty promises.
+    /// How well numbers are told behind a gate, where a small step may change what it refuses: as far as the readings
+    /// are less likely by what that uncertainty promises.
     pub fn widened<F: Fn(&[f64]) -> Trial>(&self, numbers: &Numbers<'_, F>, mut found: Freed) -> Freed {
         for i in 0..found.sigmas.len() {
             let falls = |step: f64| {

@@ -28,6 +28,8 @@ const ROUNDS: usize = 40;
 const HALF: f64 = 3.0;
 /// Readings that are so many times farther from the best start than they claim are of another world.
 const WORST: f64 = 3.0;
+/// A place that is known no better than to this part of the longest range is not known.
+const PART: f64 = 0.2;
 /// Readings that fit better than they claim tell the start better by this at most.
 const LEAST: f64 = 0.5;
 /// Another place is as likely where its readings are not e to this less likely.
@@ -213,6 +215,10 @@ fn opening(found: &Found, seen: &[Seen]) -> Option<Opening> {
     // Where σ is set larger than it is, its readings fit better than they claim, and tell the start as much better.
     let wider = spread.max(LEAST) * core::f64::consts::SQRT_2;
     let sigma = wider * off[0].max(off[1]);
+    let reach = seen.iter().map(|it| it.range).fold(0.0, f64::max);
+    if sigma > PART * reach {
+        return None;
+    }
     let pose = [found.pose[0], found.pose[1], found.pose[2]];
     Some(Opening { pose, sigma, sigma_heading: (wider * off[2]).min(PI) })
 }

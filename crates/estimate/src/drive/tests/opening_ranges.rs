@@ -102,6 +102,17 @@ fn a_robot_that_stands_has_a_place_and_no_heading() {
     assert!(opening.is_none_or(|it| off(&it, [5.0, 5.0, it.pose[2]]) < 4.0 && it.sigma_heading > 0.3), "{opening:?}");
 }
 
+/// Round a landmark all starts on a circle fit.
+#[test]
+fn a_circle_about_the_only_landmark_tells_nothing() {
+    let landmarks = vec![Landmark { id: 1, x: 0.0, y: 10.0 }];
+    let row = |k: i32, event| Row::new(f64::from(k), event);
+    let range = Event::Range { landmark: 0, range: 10.0 };
+    let rows = (0..2000).flat_map(|k| [row(k, odometry(0.1, 0.01)), row(k, range)]).collect();
+    let drive = Drive { landmarks, truth: Truth::default(), rows, motion: Motion::Odometry };
+    assert_eq!(drive.opening(&Settings::default()), None);
+}
+
 #[test]
 fn ranges_of_another_world_and_too_few_tell_nothing() {
     let mut drive = USUAL.drive(&mut 9);
