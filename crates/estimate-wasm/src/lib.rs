@@ -48,6 +48,7 @@ mod log_file;
 mod log_files;
 #[cfg(feature = "log")]
 mod log_fit;
+mod log_opening;
 #[cfg(feature = "log")]
 mod log_table;
 #[cfg(feature = "log")]

@@ -5,8 +5,9 @@ use crate::encode::{Row, record};
 use crate::errors::Thrown;
 use crate::lab::{AnyLab, RobotLog};
 use crate::log_corrections;
+use crate::log_opening;
 use crate::object::Held;
-use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Settings, Summary, lacks, log_likelihood};
+use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Summary, lacks, log_likelihood};
 use estimate::validate::finite;
 use estimate::{Code, Error, Landmark};
 use js_sys::{Array, JsString};
@@ -147,7 +148,7 @@ impl DriveLog {
                 ("corrections", log_corrections::shown(&held.corrections)),
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
-                ("opening", opening(*held.opening.get_or_init(|| began(drive)))),
+                ("opening", log_opening::shown(*held.opening.get_or_init(|| log_opening::began(drive)))),
                 ("names", texts(&held.names)),
                 ("notes", texts(&held.notes)),
             ])
@@ -198,21 +199,6 @@ fn own(drive: &Drive) -> JsValue {
         Some((name, record(&[("count", count.into()), ("sigmas", crate::encode::list(&sigmas))])))
     };
     record(&[("fix", Sensor::Fix), ("heading", Sensor::Heading)].into_iter().filter_map(of).collect::<Vec<_>>())
-}
-
-/// Where a drive began by its first fixes or ranges, if no truth says it; what has no σ of its own has the default's.
-fn began(drive: &Drive) -> Option<Opening> {
-    drive.truth.poses().is_empty().then(|| drive.opening(&Settings::default())).flatten()
-}
-
-fn opening(found: Option<Opening>) -> JsValue {
-    found.map_or(JsValue::NULL, |Opening { pose, sigma, sigma_heading }| {
-        record(&[
-            ("start", crate::encode::list(&pose)),
-            ("startSigma", sigma.into()),
-            ("startSigmaHeading", sigma_heading.into()),
-        ])
-    })
 }
 
 /// The log behind a value of JavaScript.
