@@ -48,6 +48,7 @@ mod log_file;
 mod log_files;
 #[cfg(feature = "log")]
 mod log_fit;
+#[cfg(feature = "log")]
 mod log_opening;
 #[cfg(feature = "log")]
 mod log_table;
