@@ -190,6 +190,15 @@ test('what meets a fault is replaced: the reader is told, the log stays, and wha
   assert.equal(run.frame.params.gate, 0.99)
 })
 
+test('a fault of a table that is read once more has the line of its file', async () => {
+  const { run } = await connected()
+  const table = 't,v,omega,range1,range2\n0,1,0,5,6\n0.1,fast,0,5,6\n'
+  const anchors = file('anchors.csv', 'id,x,y\n1,0,0\n2,9,0\n')
+  const said = await run.read(files(file('run.csv', table), anchors))
+  const { kind, file: at, line, shown } = /** @type {any} */ (said)
+  assert.deepEqual([kind, said.files[at].name, line, shown], ['no-log', 'run.csv, its motion', 3, '0.1,fast,0,5,6'])
+})
+
 test('a fault that comes again before anything is answered is the last, and every question hears it', async () => {
   const { module, broken } = faulty()
   const { run, turns } = await connected(module)

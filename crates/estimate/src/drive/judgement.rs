@@ -105,8 +105,12 @@ fn delayed(suspect: &Suspect) -> Option<(Vec<Fitted>, f64)> {
 }
 
 /// Whether a suspect is the motion model's own: a delay of at most half a step, with motion about every `period`
-/// seconds, or a longer one that makes the readings no likelier than half a step does.
+/// seconds, or a longer one that makes the readings no likelier than half a step does. Of a delay that was set it may be
+/// known already how much is the model's, or not.
 pub(crate) fn is_own(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Scope, period: f64) -> bool {
+    if suspect.sizes.iter().any(|size| size.now != 0.0) {
+        return false;
+    }
     let half = 0.5 * period;
     // One that is not known to be longer is not.
     let more = suspect.sizes.first().map_or(0.0, |size| (2.0 * size.sigma).min(0.3 * half));
