@@ -222,6 +222,7 @@ test('beside rows of distances a verdict without a fault says what it has not lo
     against: null,
     ungated: false,
     other: false,
+    noise: { nis: null, refused: null, correlated: null },
   }
   assert.match(
     ranked(sound, { rows: 1, truth: false, log: { motion: 'odometry', names: [] } }),

@@ -31,6 +31,7 @@ export const judgement = (suspects, more) => ({
   arcs: null,
   period: 0.1,
   pace: 1.5,
+  noise: { nis: null, refused: null, correlated: null },
   gaps: [],
   other: false,
   ...more,

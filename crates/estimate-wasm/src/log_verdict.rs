@@ -5,7 +5,7 @@ use crate::errors::Thrown;
 use crate::lab::RobotLog;
 use crate::object::Held;
 use crate::robot_log::logged;
-use estimate::drive::{Against, Gaps, Judgement, Sensor, Size, Standing, Suspect, Times};
+use estimate::drive::{Against, Correlated, Gaps, Judgement, Noise, Sensor, Size, Standing, Stretch, Suspect, Times};
 use js_sys::Array;
 use lab::Params;
 use std::sync::Arc;
@@ -77,6 +77,23 @@ export interface LogAgainst {
     outside: number;
 }
 
+/** A stretch that stands out, seconds since the first row: what it has there, and the others have. */
+export interface LogStretch {
+    times: [number, number];
+    there: number;
+    elsewhere: number;
+}
+
+/** What of the innovations does not look like noise. */
+export interface LogNoise {
+    /** Where NIS for each output is high. */
+    nis: LogStretch | null;
+    /** Where gates refuse more than elsewhere, as a share. */
+    refused: LogStretch | null;
+    /** The sensor whose innovations are correlated most from one to the next: by how much, and what chance gives. */
+    correlated: { sensor: 'fix' | 'heading' | 'range' | 'bearing'; by: number; chance: number } | null;
+}
+
 /** What is wrong with a log or its settings. */
 export interface LogJudgement {
     /** All that was looked for, the likeliest fault first; empty until all were looked at. */
@@ -102,6 +119,8 @@ export interface LogJudgement {
     period: number;
     /** The mean distance of a second in which the robot drives, metres. */
     pace: number;
+    /** What of the innovations does not look like noise, once all was looked at. */
+    noise: LogNoise;
     /**
      * Where no motion was read, by what is missing: how many gaps, and from when to when the longest is, seconds since
      * the first row.
@@ -158,18 +177,35 @@ fn shown(judgement: &Judgement) -> JsValue {
         ("arcs", judgement.arcs.map_or(JsValue::NULL, Into::into)),
         ("period", judgement.period.into()),
         ("pace", judgement.pace.into()),
+        ("noise", noise(&judgement.noise)),
         ("gaps", judgement.gaps.iter().map(gap).collect::<Array>().into()),
         ("other", judgement.other.into()),
     ])
 }
 
-fn suspect(suspect: &Suspect) -> JsValue {
-    let sensor = suspect.sensor.map(|sensor| match sensor {
+fn named(sensor: Sensor) -> &'static str {
+    match sensor {
         Sensor::Fix => "fix",
         Sensor::Heading => "heading",
         Sensor::Range => "range",
         Sensor::Bearing => "bearing",
+    }
+}
+
+fn noise(noise: &Noise) -> JsValue {
+    let stretch = |it: Option<Stretch>| {
+        it.map_or(JsValue::NULL, |Stretch { times, there, elsewhere }| {
+            record(&[("times", list(&times)), ("there", there.into()), ("elsewhere", elsewhere.into())])
+        })
+    };
+    let correlated = noise.correlated.map_or(JsValue::NULL, |Correlated { sensor, by, chance }| {
+        record(&[("sensor", named(sensor).into()), ("by", by.into()), ("chance", chance.into())])
     });
+    record(&[("nis", stretch(noise.nis)), ("refused", stretch(noise.refused)), ("correlated", correlated)])
+}
+
+fn suspect(suspect: &Suspect) -> JsValue {
+    let sensor = suspect.sensor.map(named);
     let standing = match suspect.standing {
         Standing::Sure => "sure",
         Standing::Maybe => "maybe",

@@ -73,12 +73,14 @@ impl Source {
         self.columns[self.role.index(value)?]
     }
 
-    /// Whether a row of motion has none: in a table that other sensors share its fields are then empty.
+    /// Whether a row of motion or of a sighting says nothing: in a table that other sensors share its fields are then
+    /// empty.
     pub fn says_nothing(&self, line: &Line<'_>) -> bool {
         let needed = match self.role {
             Role::Velocities => ["v", "omega"],
             Role::Odometry => ["distance", "turn"],
             Role::Encoders => ["left", "right"],
+            Role::Sightings => ["landmark", "range"],
             _ => return false,
         };
         let field = |value: &&str| self.column(value).and_then(|at| line.fields.get(at));

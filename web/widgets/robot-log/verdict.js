@@ -3,6 +3,7 @@
 import { fixed } from '../../draw/numbers.js'
 import { odometrySentence } from './driven.js'
 import { NEAR, named } from './named.js'
+import { READINGS, noisy } from './noise.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { hides, sigmaKind, sigmaSentence, withoutOutliers } from './sigmas.js'
 import { biased, displaced, exchanged } from './misplaced.js'
@@ -16,8 +17,6 @@ import { startSentence } from './start.js'
 
 const DEGREES = 180 / Math.PI
 
-/** What the rows of a sensor are called. */
-const READINGS = { fix: 'positions', heading: 'headings', range: 'ranges', bearing: 'ranges with a bearing' }
 /** @type {Record<string, [string, string]>} what comes late, and its verb */
 const DELAYED = {
   delaySpeed: ['speed', 'comes'],
@@ -58,10 +57,11 @@ export function ranked(judgement, { rows, truth, log = null }) {
     ...own.map((suspect) => model(suspect, judgement)),
     sound ? arcs(judgement) : '',
     sound ? loose(judgement) : '',
+    sound ? noisy(judgement) : '',
     errors(judgement),
     judgement.rows < rows ? `The first ${count(judgement.rows)} rows are judged.` : '',
   ]
-  return parts.filter((part) => part !== '').join(' ')
+  return parts.filter(Boolean).join(' ')
 }
 
 /** Headings alone do not tell it. */
@@ -133,11 +133,16 @@ function model(suspect, { period }) {
 }
 
 /**
- * What of a delay of a step or two the motion model may have as its own.
+ * What of a delay the motion model may have as its own: of one of a step or two, and of one that is told as well.
  * @param {Suspect} suspect @param {number} period
  */
 function inPart({ fault, own, sizes: [size] }, period) {
-  if (fault !== 'clock' || Math.abs(size.value - size.now) > 2 * period) return ''
+  if (fault !== 'clock') return ''
+  if (Math.abs(size.value - size.now) > 2 * period)
+    return size.sigma !== null && size.sigma < period / 2
+      ? `It may be half a step between rows of motion, ${brief(period / 2)} s, longer or shorter: that is the motion ` +
+          'model’s own.'
+      : ''
   const half = `Half a step between rows of motion, ${brief(period / 2)} s of it, may be the motion model’s own`
   return own ? `${half}, and chance explains what is left nearly as well: it may be no fault.` : `${half}.`
 }

@@ -6,6 +6,7 @@ use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
 use crate::drive::flat::flat;
 use crate::drive::gaps::{self, Gaps};
+use crate::drive::noise::Noise;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::{Drive, Event, Row};
 use crate::drive::suspect::{Standing, Suspect};
@@ -51,6 +52,8 @@ pub struct Judgement {
     pub period: f64,
     /// The mean distance of a second in which the robot drives, m: what σ of the distance is to be held against.
     pub pace: f64,
+    /// What of the innovations does not look like noise, once all was looked at.
+    pub noise: Noise,
     /// Where no motion was read: what is held there looks like a fault of the motion.
     pub gaps: Vec<Gaps>,
     /// Whether no suspect, mended, brings the filter nearer to the truth: something else is wrong.
@@ -105,8 +108,8 @@ fn delayed(suspect: &Suspect) -> Option<(Vec<Fitted>, f64)> {
 }
 
 /// Whether a suspect is the motion model's own: a delay of at most half a step, with motion about every `period`
-/// seconds, or a longer one that makes the readings no likelier than half a step does. Of a delay that was set it may be
-/// known already how much is the model's, or not.
+/// seconds, or a longer one that makes the readings no likelier than half a step does. Of a delay that was set it may
+/// be known already how much is the model's, or not.
 pub(crate) fn is_own(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Scope, period: f64) -> bool {
     if suspect.sizes.iter().any(|size| size.now != 0.0) {
         return false;
@@ -118,7 +121,8 @@ pub(crate) fn is_own(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Sc
         || beyond_half(drive, suspect, round, scope, period).is_some_and(|gain| gain <= AS_MUCH)
 }
 
-/// By how much a delay of a step or two makes the readings likelier than half a step the same way; `None` of others.
+/// By how much a delay of a step or two makes the readings likelier than half a step the same way; `None` of
+/// others.
 fn beyond_half(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Scope, period: f64) -> Option<f64> {
     let (numbers, off) = delayed(suspect).filter(|(_, off)| off.abs() <= MOST_OWN * period)?;
     let mut place = round.place;

@@ -104,11 +104,12 @@ impl Round {
                     freed
                 })
             }
-            _ if tried.fault() == Fault::Sigma => search.sigma(&numbers),
             _ => {
                 let gated = base.refused(|sensor| self.place.settings.gate.of(sensor).is_some())[1] > 0;
                 let far = |freed: &Freed| gated && freed.gain > scope.chance[tried.freedom()];
-                search.means(&numbers).map(|freed| if far(&freed) { search.widened(&numbers, freed) } else { freed })
+                let sigma = tried.fault() == Fault::Sigma;
+                let freed = if sigma { search.sigma(&numbers) } else { search.means(&numbers) };
+                freed.map(|freed| if far(&freed) { search.widened(&numbers, freed) } else { freed })
             }
         };
         let freed = freed.unwrap_or_else(nothing);

@@ -23,6 +23,7 @@ use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::gaps::{Gaps, gaps};
 use crate::drive::gates::Gates;
 use crate::drive::judgement::{Judgement, as_mended, is_own, may_be_own, period, refuted, stairs, turning};
+use crate::drive::noise::{Noise, noise};
 use crate::drive::pace::pace;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
@@ -82,6 +83,7 @@ pub struct Verdict {
     pace: f64,
     gaps: Vec<Gaps>,
     other: bool,
+    noise: Noise,
     suspects: Vec<Suspect>,
 }
 
@@ -139,6 +141,7 @@ impl Verdict {
             pace: pace(drive, &settings),
             gaps: gaps(judged, drive.motion),
             other: false,
+            noise: Noise::default(),
             suspects: Vec::new(),
         })
     }
@@ -219,6 +222,7 @@ impl Verdict {
 
     /// Says how sure each suspect is, and holds the first against the truth.
     fn conclude(&mut self, drive: &Drive) {
+        self.noise = self.first.base.as_ref().map(|base| noise(drive, &base.readings)).unwrap_or_default();
         let hoisted = self.beside.take().is_some_and(|round| hoist(&mut self.first, round, &self.scope));
         self.hoisted = hoisted;
         let places: Vec<Trial> = self.first.found.iter().map(|(_, place)| *place).collect();
@@ -271,6 +275,7 @@ impl Verdict {
             arcs: self.arcs,
             period: self.period,
             pace: self.pace,
+            noise: self.noise,
             gaps: self.gaps.clone(),
             other: self.other,
         }
