@@ -216,23 +216,6 @@ test('what is the motion model’s own is said, and is no fault', () => {
   assert.doesNotMatch(ranked(judgement([suspect({})], { arcs: 50 }), log), /costs/)
 })
 
-test('beside no fault it is said where the innovations do not look like noise', () => {
-  const noise = {
-    nis: { times: [152.04, 160], there: 3.52, elsewhere: 0.93 },
-    refused: { times: [100, 159.8], there: 0.49, elsewhere: 0.003 },
-    correlated: { sensor: 'fix', by: 0.16, chance: 0.02 },
-  }
-  assert.match(
-    ranked(judgement([suspect({ standing: 'cleared' })], { noise }), log),
-    /Yet from 152\.0 to 160\.0 s after the first row NIS is 3\.5, and 0\.9 elsewhere; from 100\.0 to 159\.8 s after /,
-  )
-  assert.match(
-    ranked(judgement([suspect({ standing: 'cleared' })], { noise: { ...noise, nis: null } }), log),
-    /Yet from 100\.0 .* gates refuse 49 % of the readings, and 0\.3 % elsewhere; the innovations of the positions are /,
-  )
-  assert.doesNotMatch(ranked(judgement([suspect({})], { noise }), log), /Yet/, 'what is named is mended first')
-})
-
 test('landmarks that are exchanged have the names of their file, or their numbers', () => {
   const exchanged = suspect({ fault: 'exchanged', name: null, sizes: [], landmarks: [1, 2] })
   const named = { motion: 'velocity', names: ['A12', 'north door'] }
