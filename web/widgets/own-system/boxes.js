@@ -8,6 +8,7 @@ import { paramsOf } from './presets.js'
 import { readSystem } from './read.js'
 import { keyOf, written } from './typed-system.js'
 
+const OWN_GAIN = 'a gain of your own goes into the boxes of K, which are there where the gain is chosen “by hand”'
 const TITLE = 'A system in JSON, MATLAB or numpy notation, in any book’s letters, read while you type'
 
 /**
@@ -69,6 +70,7 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
             'taken as what one step does: tick “Continuous time” if A is of a differential equation'
           : '',
       unused.length > 0 ? `not used: ${unused.map((name) => begun(name)).join(', ')}` : '',
+      unused.includes('K') ? OWN_GAIN : '',
     ]
       .filter(Boolean)
       .map((words) => ` ${words.charAt(0).toUpperCase()}${words.slice(1)}.`)
