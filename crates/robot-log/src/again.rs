@@ -5,7 +5,7 @@ use crate::guess::{IS_TRUE, moving};
 use crate::holds::{Again, Holds};
 use crate::role::Role;
 use crate::source::Question;
-use crate::true_names::{has_coordinates, has_place, is_received};
+use crate::true_names::{has_coordinates, has_place, has_truth, is_received};
 use crate::wide;
 
 /// Reads the tables once more that hold what they are not read as, behind all that were added, and no longer those that
@@ -43,7 +43,7 @@ fn wanted(files: &[File], Again { of, holds }: Again) -> Option<Role> {
     let (names, role) = (&file.source.names, file.role());
     let ranges = matches!(role, Role::Ranges | Role::Sightings);
     let driven = matches!(role, Role::Encoders | Role::Odometry);
-    let called = has_place(names, true) || has_coordinates(names, true);
+    let called = has_truth(names);
     match holds {
         Holds::Truth => {
             let other = ranges || driven || matches!(role, Role::Velocities | Role::Sensors);

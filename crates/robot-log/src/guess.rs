@@ -9,7 +9,7 @@ use crate::names::{Name, candidates, is_acceleration, is_spread};
 use crate::role::{Quantity, Role};
 use crate::source::{Question, Source};
 use crate::table::Table;
-use crate::true_names::{has_coordinates, has_place};
+use crate::true_names::{has_coordinates, has_truth};
 use crate::vocabulary::BESIDE;
 use crate::wheels::Wheels;
 use crate::wide;
@@ -131,8 +131,7 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         };
         return (if has("barcode", Quantity::Number) && landmark { Role::Barcodes } else { role }, None);
     }
-    let called = has_place(names, true) || has_coordinates(names, true);
-    let is_true = said.contains(&Role::Truth) || called;
+    let is_true = said.contains(&Role::Truth) || has_truth(names);
     let encoders = encoders(names, &file);
     let sightings = landmark && has("range", Quantity::Length);
     let odometry = has("distance", Quantity::Length) && has("turn", Quantity::Angle);

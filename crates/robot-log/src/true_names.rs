@@ -21,6 +21,11 @@ pub(crate) fn has_place(names: &[Name], truth: bool) -> bool {
     has(names, truth, ["x", "y"], Quantity::Length)
 }
 
+/// Whether there are columns that are called a true place.
+pub(crate) fn has_truth(names: &[Name]) -> bool {
+    has_place(names, true) || has_coordinates(names, true)
+}
+
 /// Whether these have a latitude and a longitude.
 pub(crate) fn has_coordinates(names: &[Name], truth: bool) -> bool {
     has(names, truth, ["latitude", "longitude"], Quantity::Coordinate)
@@ -41,7 +46,6 @@ pub(crate) fn is_received(names: &[Name]) -> bool {
 /// among the others.
 pub(crate) fn sought(role: Role, value: &str, names: &[Name]) -> Vec<Name> {
     let of_pose = matches!(value, "x" | "y" | "heading" | "latitude" | "longitude");
-    let called = has_place(names, true) || has_coordinates(names, true);
     match role {
         // Places of a filter are a sensor's where the reader says so; whose heading it is is not said by that.
         Role::Sensors if of_pose => {
@@ -50,7 +54,7 @@ pub(crate) fn sought(role: Role, value: &str, names: &[Name]) -> Vec<Name> {
             if some { parted(names, false) } else { untrue().collect() }
         }
         // A heading without a name of its own may be the true one where nothing else is there that has a pose.
-        Role::Truth if of_pose && called => {
+        Role::Truth if of_pose && has_truth(names) => {
             let alone = value == "heading" && !has_place(names, false) && !has_coordinates(names, false);
             if alone { names.to_vec() } else { parted(names, true) }
         }
