@@ -28,6 +28,8 @@ const TABLES = [
   'time,left_ticks,right_ticks\n0,0,0\n1,41,44\n',
   't,d1,d2\n0,1,2\n1,1,nan\n',
   't,true_x,true_y\n0,9,9\n1,10,9\n',
+  't,compass_heading_deg\n7200,0\n7201,1\n',
+  't,speed,yaw_rate\n0,1,0\n1,1,0\n',
   't,tag,anchor,range\n0,T7,6,2\n1,T9,6,3\n',
   LOG,
 ]
@@ -98,6 +100,7 @@ export const logClasses = (lab) => ({
       'setOnly()': 5,
       'setFrame()': 1,
       'setOrigin()': 1,
+      'setClockShift()': 1,
       'correct()': 5,
     },
     methods: {
@@ -118,6 +121,7 @@ export const logClasses = (lab) => ({
       setOnly: (dice, _, it) => [fileOf(it, dice, ({ several }) => several !== null).at, dice.pick([null, 'T7', 'T9'])],
       setFrame: (dice, _, it) => [fileOf(it, dice, ({ frame }) => frame !== null).at, dice.pick(FRAMES)],
       setOrigin: (dice, _, it) => [fileOf(it, dice, ({ frame }) => frame !== null).at, dice.pick([48, 91]), 11],
+      setClockShift: (dice, _, it) => [fileOf(it, dice, ({ clock }) => clock !== null).at, dice.pick([0, -3600])],
       correct: (dice) => [
         dice.pick([
           [1, 1],
@@ -128,7 +132,7 @@ export const logClasses = (lab) => ({
       ],
       read: () => [],
     },
-    often: ['add', 'add', 'setColumn', 'setFrame', 'setFrame', 'setOrigin'],
+    often: ['add', 'add', 'setColumn', 'setFrame', 'setFrame', 'setOrigin', 'setClockShift', 'setOnly'],
     look: (it) => it.files(),
     covariances: () => [],
   },

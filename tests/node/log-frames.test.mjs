@@ -5,7 +5,7 @@ import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { nextChange } from '../../web/page/log-saved-files.js'
 import { readSettings, settingsText } from '../../web/page/log-settings.js'
-import { framesOf, originOf, short } from '../../web/page/log-file-words.js'
+import { clocksOf, framesOf, originOf, short } from '../../web/page/log-file-words.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 
 const { LogFiles, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
@@ -150,18 +150,62 @@ test('where the origin of a truth in metres lies is typed, written and read agai
   )
 })
 
-test('where the origin of landmarks in metres lies may be typed beside latitudes, and is not asked', () => {
+test('where the origin of landmarks in metres lies is asked beside latitudes, and may be typed', () => {
   const files = new LogFiles()
   files.add('wheels.csv', 'time,v,omega\n0,1,0\n1,1,0\n')
   files.add('gps.csv', 'time,latitude,longitude\n0,50,8\n1,50.0001,8\n')
   files.add('anchors.csv', 'anchor,x,y\n1,3,4\n')
   const { frame, asks } = last(files)
-  assert.deepEqual([frame.beside, frame.foreign, frame.said, asks], [true, false, null, []])
+  assert.deepEqual([frame.beside, frame.foreign, frame.said], [true, false, null])
+  assert.match(asks[0], /^Its places are in metres, others are in latitude and longitude: where does its origin lie\?/)
+  assert.deepEqual(framesOf(frame), [['same', 'origin in the first latitude and longitude']])
   files.setOrigin(2, 49.9999, 8)
   const saved = readSettings(settingsText({}, files.files()), known).files
   assert.deepEqual(saved[2].origin, [49.9999, 8])
   files.setFrame(2, 'same')
   assert.deepEqual(nextChange(saved, files.files()), { file: 2, origin: [49.9999, 8] })
+})
+
+test('a file whose times do not meet the motion’s is asked, has words for its clock, and is read again so', () => {
+  const open = (first = 3605) => {
+    const files = new LogFiles()
+    files.add('wheels.csv', `time_s,v,omega\n${rows(101, 1, () => [1, 0])}`)
+    const fixes = Array.from({ length: 91 }, (_, k) => `${first + k},${k},0\n`)
+    files.add('gps.csv', `time_s,gps_x,gps_y\n${fixes.join('')}`)
+    return files
+  }
+  const files = open()
+  const gps = (/** @type {any} */ of) => of.files()[1]
+  assert.match(gps(files).asks[0], /^Its times begin 3505\.0 s after the motion ends: how many seconds/)
+  assert.throws(() => files.read(), /gps\.csv asks/)
+  const { clock } = gps(files)
+  assert.deepEqual(clocksOf(clock), [
+    [-3600, 'of another zone: 1 hour is taken off'],
+    [-3605, 'its own: it begins when the motion does'],
+    [0, 'the motion’s: nothing is added'],
+  ])
+  assert.deepEqual([clock.said, [...clock.meets]], [null, [-3695, -3505]])
+  assert.deepEqual(
+    clocksOf({ ...clock, zone: 2 * 86400, said: -3599.5 }).filter(([one]) => one !== 0),
+    [
+      [2 * 86400, 'of another day: 2 days are added'],
+      [-3605, 'its own: it begins when the motion does'],
+      [-3599.5, 'its own: −3599.5 s are added'],
+    ],
+  )
+  assert.throws(() => files.setClockShift(0, 1), /file/)
+  assert.throws(() => files.setClockShift(1, Number.NaN), /seconds/)
+  applyChange(files, { file: 1, clockShift: -3600 })
+  assert.equal(gps(files).asks.length, 0)
+  assert.match(gps(files).follows, /5 to 95 s/)
+  assert.deepEqual([...files.read().contents().span], [0, 100])
+  const saved = readSettings(settingsText({}, files.files()), known).files
+  assert.equal(saved[1].clockShift, -3600)
+  const again = open()
+  assert.deepEqual(nextChange(saved, again.files()), { file: 1, clockShift: -3600 })
+  assert.equal(nextChange(saved, files.files()), null)
+  assert.equal(nextChange(saved, open(9000).files()), null, 'of another recording it is asked')
+  assert.equal(nextChange(saved, open(0).files()), null, 'what meets is not asked')
 })
 
 test('of what stands in a field the beginning is shown, and of a date all that differs from row to row', () => {

@@ -45,17 +45,44 @@ export function unreadWords(names) {
  * @param {NonNullable<LogFile['frame']>} frame
  * @returns {[string, string][]}
  */
-export function framesOf({ foreign, origin, own }) {
+export function framesOf({ foreign, beside, origin, own }) {
+  const at = /** @type {[string, string][]} */ (origin ? [['at', `same axes, origin at ${origin.join(', ')}`]] : [])
+  if (beside) return [['same', 'origin in the first latitude and longitude'], ...at]
   /** @type {[string, string][]} */
   const options = foreign
     ? [
         ['same', 'origin and axes of the positions'],
         ['moved', 'same axes, another origin: moved onto the positions'],
-        .../** @type {[string, string][]} */ (origin ? [['at', `same axes, origin at ${origin.join(', ')}`]] : []),
+        ...at,
       ]
     : [['same', own?.framed ? 'the same frame' : 'the same clock']]
   if (own) options.push(['own', ownWords(own)])
   return options
+}
+
+/**
+ * What may be added to the times of a file that do not meet the motion’s, and the words for its clock.
+ * @param {NonNullable<LogFile['clock']>} clock
+ * @returns {[number, string][]}
+ */
+export function clocksOf({ said, zone, together }) {
+  /** @type {[number, string][]} */
+  const options = [[together, 'its own: it begins when the motion does']]
+  if (zone !== null) options.unshift([zone, zoneWords(zone)])
+  options.push([0, 'the motion’s: nothing is added'])
+  if (said !== null && options.every(([one]) => one !== said))
+    options.push([said, `its own: ${String(said).replace('-', '−')} s are added`])
+  return options
+}
+
+/** @param {number} seconds */
+function zoneWords(seconds) {
+  const days = seconds / 86400
+  const [count, unit] = Number.isInteger(days) ? [days, 'day'] : [seconds / 3600, 'hour']
+  const many = Math.abs(count) === 1 ? unit : `${unit}s`
+  const is = many === unit ? 'is' : 'are'
+  const another = unit === 'day' ? 'day' : 'zone'
+  return `of another ${another}: ${Math.abs(count)} ${many} ${is} ${count > 0 ? 'added' : 'taken off'}`
 }
 
 /**

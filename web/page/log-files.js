@@ -4,7 +4,7 @@
  */
 
 import { button, part } from '../draw/dom.js'
-import { faultWords, framesOf, originOf, short, unreadWords } from './log-file-words.js'
+import { clocksOf, faultWords, framesOf, originOf, short, unreadWords } from './log-file-words.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('estimate-wasm').LogValue} LogValue */
@@ -78,7 +78,10 @@ export class FileForm {
   }
 
   /** @param {number} i @param {LogFile} file */
-  showFile(i, { name, role, header, values, unread, wheels, needs, several, frame, asks, answers, follows, fault }) {
+  showFile(
+    i,
+    { name, role, header, values, unread, wheels, needs, several, frame, clock, asks, answers, follows, fault },
+  ) {
     const set = part(document, this.box, 'fieldset', `log-file${asks.length > 0 ? ' asks' : ''}`)
     part(document, set, 'legend', '').textContent = name
     if (fault) part(document, set, 'p', 'log-ask').textContent = faultWords(fault)
@@ -115,6 +118,7 @@ export class FileForm {
     }
     if (several) this.several(set, i, header, several)
     if (wheels) this.wheels(set, i, wheels, needs)
+    if (clock) this.clock(set, i, clock)
     if (frame) this.frame(set, i, frame)
     if (follows) part(document, set, 'p', 'log-follows').textContent = `So: ${follows}.`
     const left = unreadWords(unread.map((at) => header[at] || `column ${at + 1}`))
@@ -199,28 +203,45 @@ export class FileForm {
     }))
   }
 
-  /** A truth’s frame and clock. @param {Element} into @param {number} i @param {NonNullable<LogFile['frame']>} frame */
+  /**
+   * A clock that is not the motion’s.
+   * @param {Element} into @param {number} i @param {NonNullable<LogFile['clock']>} clock
+   */
+  clock(into, i, clock) {
+    const { said } = clock
+    const cell = part(document, into, 'div', `log-value log-role${said === null ? ' asked' : ''}`)
+    const options = clocksOf(clock).map(([one, words]) => /** @type {[string, string]} */ ([String(one), words]))
+    if (said === null) options.unshift(['', 'choose one'])
+    const make = (/** @type {string} */ one) => ({ file: i, clockShift: Number(one) })
+    this.choice(cell, `${i} clock`, 'its clock', options, String(said ?? ''), make)
+    this.entry(cell, `${i} clock shift`, 'or seconds that are added to its times', '', (text) => {
+      const seconds = Number(text.trim().replace('−', '-').replace(',', '.') || NaN)
+      return Number.isFinite(seconds) ? { file: i, clockShift: seconds } : null
+    })
+  }
+
+  /**
+   * A file’s frame, and a truth’s clock.
+   * @param {Element} into @param {number} i @param {NonNullable<LogFile['frame']>} frame
+   */
   frame(into, i, frame) {
     const { said, foreign, beside } = frame
-    if (beside) return this.origin(into, i, frame)
     const cell = part(document, into, 'div', `log-value log-role${said === null ? ' asked' : ''}`)
     const options = framesOf(frame)
     if (said === null) options.unshift(['', 'choose one'])
-    const label = foreign ? 'its frame' : 'its frame and clock'
+    const label = beside ? 'its origin' : foreign ? 'its frame' : 'its frame and clock'
     this.choice(cell, `${i} frame`, label, options, said ?? '', (one) => ({ file: i, frame: one }))
-    if (foreign) this.origin(into, i, frame)
+    if (foreign || beside) this.origin(into, i, frame)
   }
 
   /**
    * Where the origin of places in metres lies.
    * @param {Element} into @param {number} i @param {NonNullable<LogFile['frame']>} frame
    */
-  origin(into, i, { origin, beside }) {
-    const where = 'its origin’s latitude and longitude, °'
-    const words = beside ? `${where} (empty: the first fix)` : `or ${where}`
+  origin(into, i, { origin }) {
+    const words = 'or its origin’s latitude and longitude, °'
     const cell = part(document, into, 'div', 'log-value log-role')
     this.entry(cell, `${i} origin`, words, (origin ?? []).join(', '), (text) => {
-      if (beside && text.trim() === '') return { file: i, frame: 'same' }
       const origin = originOf(text)
       return origin && { file: i, origin }
     })

@@ -44,8 +44,8 @@ function placeOf({ name, header, again }, saved, files) {
 }
 
 /** @param {SavedFile} saved @param {LogFile} file @returns {Omit<Change, 'file'> | null} */
-function changeOf(saved, { role: now, header, values: current, wheels: turning, several, frame: origin }) {
-  const { name, role, values, wheels, only: one, frame, origin: at } = saved
+function changeOf(saved, { role: now, header, values: current, wheels: turning, several, frame: origin, clock }) {
+  const { name, role, values, wheels, only: one, frame, origin: at, clockShift } = saved
   if (role !== now) return { role }
   for (const [value, wanted] of Object.entries(values)) {
     const found = current.find((one) => one.name === value)
@@ -62,6 +62,9 @@ function changeOf(saved, { role: now, header, values: current, wheels: turning, 
       throw new Error(`${name} has no rows of ${one}.`)
     return { only: one }
   }
+  // Of another recording what was said may not bring its times to the motion's.
+  const meets = clock && clockShift !== undefined && clockShift >= clock.meets[0] && clockShift <= clock.meets[1]
+  if (meets && clock.said !== clockShift) return { clockShift }
   // Of another recording the truth may lie on the positions, or be in latitude and longitude: then nothing is said.
   const offered = { same: true, moved: origin?.foreign, own: Boolean(origin?.own) }
   if (at && (origin?.foreign || origin?.beside) && String(origin.origin) !== String(at)) return { origin: at }

@@ -16,9 +16,11 @@ import { NotOpen } from './log-saved-files.js'
  * @typedef {{
  *   name: string, role: string, header: string[], values: Record<string, SavedValue>, wheels: LogFile['wheels'],
  *   only?: string | null, frame?: string, origin?: [number, number], again?: number,
+ *   clockShift?: number,
  * }} SavedFile with `again`, of which of the files it is another reading,
  * `only` where a column tells the rows of several robots apart, and it was said whose are read,
- * `frame` where it was said which frame and clock a truth has, and `origin` where that is at a point
+ * `frame` where it was said which frame and clock a truth has, and `origin` where that is at a point,
+ * `clockShift` what is added to the times of one that does not meet the motion, s, where that was said
  */
 /**
  * @typedef {object} SavedLog what tells a log from another, whatever it was read from
@@ -50,7 +52,7 @@ export const isSettings = async (file) =>
 export function settingsText(params, files, contents = null) {
   const saved = files
     .filter(({ role }) => role !== 'log')
-    .map(({ name, role, header, values, wheels, several, frame, again }) => ({
+    .map(({ name, role, header, values, wheels, several, frame, clock, again }) => ({
       name,
       role,
       header,
@@ -65,6 +67,7 @@ export function settingsText(params, files, contents = null) {
       ...(several && !several.asked ? { only: several.only } : {}),
       ...(frame?.said ? { frame: frame.said } : {}),
       ...(frame?.origin ? { origin: frame.origin } : {}),
+      ...(clock && clock.said !== null ? { clockShift: clock.said } : {}),
     }))
   const log = contents ? { log: logOf(contents) } : {}
   const corrected = contents && isCorrected(contents) ? { corrections: plain(contents.corrections) } : {}
@@ -175,9 +178,11 @@ function setting(value, { name, default: usual, least, greatest }) {
 function file(it, i, all) {
   const where = `files[${i}]`
   const names = ['name', 'role', 'header', 'values', 'wheels']
-  only(it, [...names, 'only', 'frame', 'origin', 'again'], where, names)
+  only(it, [...names, 'only', 'frame', 'origin', 'clockShift', 'again'], where, names)
   if (it.frame !== undefined && !FRAMES.includes(it.frame)) throw new Error(`${where}.frame is ${shown(it.frame)}.`)
   if ((it.frame === 'at') !== numbers(it.origin, 2)) throw new Error(`${where}.origin is ${shown(it.origin)}.`)
+  if (it.clockShift !== undefined && !numbers([it.clockShift], 1))
+    throw new Error(`${where}.clockShift is ${shown(it.clockShift)}.`)
   if (it.only !== undefined && it.only !== null && typeof it.only !== 'string')
     throw new Error(`${where}.only is no text.`)
   for (const name of ['name', 'role']) if (typeof it[name] !== 'string') throw new Error(`${where}.${name} is no text.`)

@@ -2,7 +2,7 @@
 
 use crate::encode::{list, record};
 use js_sys::Array;
-use robot_log::{Counting, Error, File, Files, Frame, Own, Rigid, Role, WHEEL_NUMBERS, units_of};
+use robot_log::{Counting, Error, File, Files, Frame, OtherClock, Own, Rigid, Role, WHEEL_NUMBERS, units_of};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -71,6 +71,17 @@ export interface LogOrigin {
     /** What the fixes and the motion tell: it may be "own"; else null. */
     own: LogOwn | null;
 }
+/** The clock of a file whose times do not meet those of the motion. */
+export interface LogClock {
+    /** What is added to its times, s; null where it has to be said. */
+    said: number | null;
+    /** The whole quarters of an hour, or whole days, that bring its times into the motion's, s; null where none do. */
+    zone: number | null;
+    /** What lets it begin with the motion, s. */
+    together: number;
+    /** The least and the most by which it meets the motion, s. */
+    meets: [number, number];
+}
 /** What is wrong with a file, and where: line and character are counted from 1. */
 export interface LogFault {
     line: number;
@@ -99,6 +110,8 @@ export interface LogFile {
     several: LogSeveral | null;
     /** The frame of a truth that does not lie on the fixes; null of a file that is not asked. */
     frame: LogOrigin | null;
+    /** The clock of a file whose times do not meet those of the motion; null of another file. */
+    clock: LogClock | null;
     /** What has to be said before the file can be read: a guess that is not certain chooses nothing. */
     asks: string[];
     /** The roles that the question of what the file is names as its answers; empty where any may be one. */
@@ -144,6 +157,12 @@ fn origin(file: &File) -> JsValue {
         ("beside", file.is_beside().into()),
         ("own", file.own().map_or(JsValue::NULL, own)),
     ])
+}
+
+/// What may be added to the times of a file, and what is.
+fn clock(OtherClock { zone, together, meets, .. }: &OtherClock, said: Option<f64>) -> JsValue {
+    let number = |number: Option<f64>| number.map_or(JsValue::NULL, Into::into);
+    record(&[("said", number(said)), ("zone", number(*zone)), ("together", (*together).into()), ("meets", list(meets))])
 }
 
 /// What brings a truth onto the fixes.
@@ -196,6 +215,7 @@ pub(crate) fn shown(files: &Files, at: usize) -> JsValue {
         ("wheels", if file.role() == Role::Encoders { wheels() } else { JsValue::NULL }),
         ("needs", texts(file.needs())),
         ("frame", origin(file)),
+        ("clock", file.other_clock().map_or(JsValue::NULL, |other| clock(other, file.clock_shift()))),
         ("asks", texts(file.asks())),
         ("answers", texts(file.answers().iter().map(|role| role.name()))),
         ("follows", follows.into()),

@@ -131,6 +131,21 @@ impl LogFiles {
         self.change(file, "origin", |files, file| files.set_origin(file, latitude, longitude))
     }
 
+    /// Says how many seconds are added to the times of a file, of which that is asked.
+    #[wasm_bindgen(js_name = setClockShift)]
+    pub fn set_clock_shift(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] file: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number")] seconds: &JsValue,
+    ) -> Result<(), Thrown> {
+        self.0.is(FILES)?;
+        let seconds = Arg::new(seconds, "seconds").number()?;
+        if !seconds.is_finite() {
+            return Err(Error::new(Code::Limit, "seconds", "is not finite").into());
+        }
+        self.change(file, "file", |files, file| files.set_clock_shift(file, seconds))
+    }
+
     /// Reads the log otherwise than its files have it: `driven` is how many times distances and turns of odometry are
     /// taken as they are read, both above 0, `landmarks` lists id, x and y of each landmark that stands elsewhere, and
     /// `ranges`, which may be left out, id and by how much ranges to it are taken shorter, m.

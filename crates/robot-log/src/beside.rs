@@ -5,6 +5,7 @@ use crate::file::File;
 use crate::frames::Frame;
 use crate::log::MAX_LANDMARKS;
 use crate::names::candidates;
+use crate::other_clock::{OtherClock, Times, join};
 use crate::own::Own;
 use crate::role::{Quantity, Role};
 use crate::row;
@@ -85,7 +86,8 @@ fn fixes(files: &[File]) -> [bool; 2] {
 /// beside latitudes and longitudes.
 pub(crate) fn frames(files: &mut [File]) {
     let [metric, global] = fixes(files);
-    let any = files.iter().any(|file| Places::of(&file.source) == Some(Places::Global));
+    let other = |file: &File| file.role() != Role::Truth && Places::of(&file.source) == Some(Places::Global);
+    let any = files.iter().any(other);
     for file in files.iter_mut() {
         let (places, truth) = (Places::of(&file.source), file.role() == Role::Truth);
         file.source.beside = any && !truth && places == Some(Places::Metric);
@@ -107,6 +109,26 @@ pub(crate) fn compared(files: &[File]) -> Option<(usize, bool)> {
     let alone = (metric || global) && !files.iter().any(|file| file.role() == Role::Log);
     let places = Places::of(&truth.source).filter(|_| alone)?;
     Some((at, metric || places == Places::Metric))
+}
+
+/// Finds the files whose times do not meet those of the motion: of the others that say how the robot moved, where one
+/// says that too. The first of those has the log's clock.
+pub(crate) fn clocks(files: &[File], times: &[Times]) -> Vec<Option<OtherClock>> {
+    let moves = |at: usize| times[at].motion.is_some();
+    let first = (0..files.len()).find(|at| moves(*at));
+    let of_one = |at: usize| files[at].again().unwrap_or(at);
+    let said = |at: usize| (files[at].role(), ["v", "omega"].map(|value| files[at].source.column(value).is_some()));
+    let motion = |but: usize| {
+        let others = (0..files.len()).filter(|at| of_one(*at) != of_one(but));
+        others.filter_map(|at| times[at].motion).reduce(join)
+    };
+    let clock = |at: usize| {
+        let first = first.filter(|first| of_one(*first) != of_one(at))?;
+        // Parts of one log follow one another.
+        let part = moves(at) && said(at) == said(first);
+        OtherClock::new(times[at].all.filter(|_| !part)?, motion(at)?)
+    };
+    (0..files.len()).map(clock).collect()
 }
 
 /// What is said of landmarks and fixes in metres beside latitudes and longitudes.
@@ -144,12 +166,30 @@ impl File {
         self.source.own.as_ref()
     }
 
+    /// How its times lie, where they do not meet those of the motion: then it is asked what is to be added to them.
+    pub fn other_clock(&self) -> Option<&OtherClock> {
+        self.source.other_clock.as_ref()
+    }
+
+    /// What is added to its times, s, as it was said; `None` where that has not been said, or is not asked.
+    pub fn clock_shift(&self) -> Option<f64> {
+        self.source.said_clock_shift()
+    }
+
+    pub(crate) fn set_clock_shift(&mut self, seconds: f64) -> bool {
+        let asked = self.source.other_clock.is_some() && seconds.is_finite();
+        if asked {
+            self.source.clock_shift = Some(seconds);
+        }
+        asked
+    }
+
     /// Whether its places are counted from another point than those of the log's fixes: then that is asked.
     pub fn is_foreign(&self) -> bool {
         self.source.foreign
     }
 
-    /// Whether its places are in metres beside latitudes and longitudes of others: their origin may be said.
+    /// Whether its places are in metres beside latitudes and longitudes of others: their origin is asked.
     pub fn is_beside(&self) -> bool {
         self.source.beside
     }

@@ -104,8 +104,13 @@ impl<'a> Cells<'a> {
         self.source.role.index(value).and_then(|at| self.source.units[at]).is_some_and(|it| it.name == unit)
     }
 
-    /// The row's time, its seconds and their fraction together.
+    /// The row's time, by the log's clock.
     pub fn time(&self) -> Result<f64, Error> {
+        self.own_time().map(|time| time + self.source.said_clock_shift().unwrap_or(0.0))
+    }
+
+    /// The row's time, its seconds and their fraction together, as they stand in the file.
+    fn own_time(&self) -> Result<f64, Error> {
         let Some(field) = self.field("time") else { return self.number("time") };
         if self.source.is_date() {
             let refuse = || self.place("time").refuse("the time is no date; one as 2026-05-01T12:00:00Z was expected");

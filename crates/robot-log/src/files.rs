@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::file::File;
 use crate::frames::Frame;
 use crate::log::{MAX_BYTES, Understood};
+use crate::other_clock::{Times, spanned};
 use crate::own::{Own, own};
 use crate::parse;
 use crate::reading::LogReader;
@@ -112,6 +113,16 @@ impl Files {
         self.files.get_mut(file).is_some_and(|file| file.set_frame(frame))
     }
 
+    /// Says what is added to the times of a file, s. Answers whether there is such a file, and that is asked of it
+    /// ([`File::other_clock`]).
+    pub fn set_clock_shift(&mut self, file: usize, seconds: f64) -> bool {
+        self.compare();
+        let said = self.files.get_mut(file).is_some_and(|file| file.set_clock_shift(seconds));
+        // A truth is compared by its times.
+        self.compared = false;
+        said
+    }
+
     /// Says a number of a file's wheels: `ticks` of a turn, `radius` or `base` in metres. Answers whether there is such
     /// a file of encoders, such a number, and whether it is above 0.
     pub fn set_wheel(&mut self, file: usize, name: &str, number: f64) -> bool {
@@ -156,11 +167,17 @@ impl Files {
         beside::frames(&mut self.files);
     }
 
-    /// Compares the truth with the fixes and with the motion: where it has a frame or a clock of its own, its file asks
-    /// from then on. A log without fixes is not compared, nor one with several truths.
+    /// Compares the times of the files with those of the motion, and the truth with the fixes and with the motion: a
+    /// file that has another clock asks from then on, and so does a truth with a frame or a clock of its own. A log
+    /// without fixes has no truth compared, nor has one with several truths.
     pub fn compare(&mut self) {
         if core::mem::replace(&mut self.compared, true) {
             return;
+        }
+        self.files.iter_mut().for_each(|file| file.source.other_clock = None);
+        if added(&self.files) > 1 && self.is_sound() {
+            let found = self.gathered(true).map(|(_, times)| beside::clocks(&self.files, &times)).unwrap_or_default();
+            self.files.iter_mut().zip(found).for_each(|(file, clock)| file.source.other_clock = clock);
         }
         let found = beside::compared(&self.files).and_then(|(at, framed)| Some((at, self.found(framed)?)));
         for (at, file) in self.files.iter_mut().enumerate() {
@@ -170,9 +187,13 @@ impl Files {
 
     /// What brings the truth onto the fixes, where the files can be read so far.
     fn found(&self, framed: bool) -> Option<Own> {
-        let sound = |file: &File| file.check().is_ok() && file.source.asks_itself().is_empty();
-        let log = self.files.iter().all(sound).then(|| self.gathered(true).ok()?.finish(None).ok())??.log;
+        let log = self.is_sound().then(|| self.gathered(true).ok()?.0.finish(None).ok())??.log;
         own(&log.drive, framed)
+    }
+
+    /// Whether each file can be read as far as it says by itself.
+    fn is_sound(&self) -> bool {
+        self.files.iter().all(|file| file.check().is_ok() && file.source.asks_itself().is_empty())
     }
 
     /// The log that the files make. A truth with a frame or a clock of its own is asked for that, once it has been
@@ -198,7 +219,7 @@ impl Files {
             }
             return Err(Error::of_all(format!("{} asks: {ask}", self.files[at].name())).within(at));
         }
-        let reading = self.gathered(false)?;
+        let (reading, _) = self.gathered(false)?;
         // One file in the book's own format is refused at its last row; several have no row that stands for all of
         // them.
         let only_log = matches!(self.files.as_slice(), [file] if file.role() == Role::Log);
@@ -219,12 +240,14 @@ impl Files {
         Ok(read)
     }
 
-    /// The rows of all files; `as_written`, a truth is not moved.
-    fn gathered(&self, as_written: bool) -> Result<LogReader, Error> {
+    /// The rows of all files, and when those of each were; `as_written`, a truth is not moved.
+    fn gathered(&self, as_written: bool) -> Result<(LogReader, Vec<Times>), Error> {
         let mut reading = LogReader::new(self.barcodes()?, as_written);
         reading.origin = self.files.iter().find_map(File::origin);
         let gyro = turning::gyro(&self.files);
+        let mut times = vec![Times::default(); self.files.len()];
         for (i, file) in self.files.iter().enumerate() {
+            let from = reading.to.rows().len();
             match file.role() {
                 Role::Log => parse::gather(file.text(), i, &mut reading.to)?,
                 Role::Unused | Role::Undecided | Role::Barcodes => {}
@@ -238,12 +261,13 @@ impl Files {
                             .say(vec![format!("{name}: read as {}, it has no row that says anything.", role.name())]);
                     }
                     let shared = file.again.is_some() || self.files.iter().any(|it| it.again() == Some(i));
-                    reading.end_file(file.name(), file.words(), shared);
+                    times[i].all = reading.end_file(file.name(), file.words(), shared);
                     reading.say(file.notes());
                 }
             }
+            times[i].motion = spanned(&reading.to.rows()[from..]);
         }
-        Ok(reading)
+        Ok((reading, times))
     }
 
     /// No file has the robot's motion: what each was read as instead.

@@ -28,6 +28,10 @@ pub(crate) fn question(truth_is_global: bool) -> String {
     )
 }
 
+/// What is asked of landmarks and fixes in metres beside latitudes and longitudes.
+pub(crate) const BESIDE: &str = "Its places are in metres, others are in latitude and longitude: where does its origin \
+                                 lie? You may also leave the file out.";
+
 /// True poses that are moved once the fixes are known.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Moved {

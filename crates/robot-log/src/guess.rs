@@ -81,6 +81,8 @@ fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
         several: None,
         only: None,
         foreign: false,
+        other_clock: None,
+        clock_shift: None,
         beside: false,
         own: None,
         frame: None,

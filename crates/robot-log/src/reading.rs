@@ -9,6 +9,7 @@ use crate::landmarks::Landmarks;
 use crate::lists;
 use crate::log::Understood;
 use crate::notes::{self, Counts};
+use crate::other_clock::Span;
 use crate::own::Own;
 use crate::placed::Placed;
 use crate::role::Role;
@@ -62,14 +63,15 @@ impl LogReader {
         (self.turned, self.way) = (turned, Way::default());
     }
 
-    /// Ends a file, and says what was strange in it; so many lines above its rows were passed over. What a row does not
-    /// say is not missing where it is `shared` by several readings.
-    pub fn end_file(&mut self, name: &str, words: usize, shared: bool) {
+    /// Ends a file, `words` lines above its rows passed over; what a row does not say is not missing where it is
+    /// `shared` by several readings. Answers when its rows were.
+    pub fn end_file(&mut self, name: &str, words: usize, shared: bool) -> Option<Span> {
         let kept = core::mem::take(&mut self.kept);
         self.files.push((name.into(), self.to.rows().len()));
         self.notes.extend(notes::words(name, words));
         self.notes.extend(kept.notes(name, shared));
         self.to.leave_out(kept.copies());
+        kept.stamps.span
     }
 
     /// How much has been taken: rows, true poses, landmarks, and sightings whose barcode is in no list.
@@ -86,13 +88,11 @@ impl LogReader {
     pub fn take(&mut self, role: Role, cells: Cells<'_>) -> Result<(), Error> {
         let start = cells.start();
         match role {
-            Role::Velocities => {
-                let event = Event::Velocity { v: cells.number("v")?, omega: cells.number("omega")? };
-                let time = self.kept.stamps.take(cells)?;
-                self.driven(start, time, Some(event))?;
-            }
-            Role::Odometry => {
-                let event = Event::Odometry { distance: cells.number("distance")?, turn: cells.number("turn")? };
+            Role::Velocities | Role::Odometry => {
+                let event = match role {
+                    Role::Velocities => Event::Velocity { v: cells.number("v")?, omega: cells.number("omega")? },
+                    _ => Event::Odometry { distance: cells.number("distance")?, turn: cells.number("turn")? },
+                };
                 let time = self.kept.stamps.take(cells)?;
                 self.driven(start, time, Some(event))?;
             }
@@ -135,6 +135,7 @@ impl LogReader {
                 }
                 self.to.begin(start)?;
                 let (time, seen) = (cells.time()?, self.landmark(cells)?);
+                self.kept.stamps.see(time);
                 self.placed.take(cells, seen)?;
                 let range = match cells.range("range", cells.source.column("range").unwrap_or(0))? {
                     Ok(range) => range,
@@ -183,9 +184,7 @@ impl LogReader {
             (None, Some(omega)) => Some(Event::TurnRate { omega }),
             (None, None) => None,
         };
-        if let Some(event) = motion {
-            self.motion(start, time, event)?;
-        }
+        motion.map_or(Ok(()), |event| self.motion(start, time, event))?;
         let (place, heading) = (self.place(cells)?, cells.given("heading")?);
         if let Some([x, y]) = place {
             let sigma = self.kept.sigma(cells, "sigma")?;

@@ -4,6 +4,7 @@ use crate::fields::{Line, is_none};
 use crate::frames::{self, Frame};
 use crate::names::Name;
 use crate::order::Order;
+use crate::other_clock::OtherClock;
 use crate::own::Own;
 use crate::role::{Quantity, Role, Value};
 use crate::several::{Several, grouped};
@@ -41,11 +42,15 @@ pub(crate) struct Source {
     pub only: Option<Option<String>>,
     /// Whether its places are counted from another point than those of the log's fixes, and what is said of that.
     pub foreign: bool,
-    /// Whether its places are in metres beside latitudes and longitudes, and nothing is asked of their origin.
+    /// Whether its places are in metres beside latitudes and longitudes, and no truth's: their origin is asked.
     pub beside: bool,
     /// What brings a truth onto the log's fixes, where it does not lie on them.
     pub own: Option<Own>,
     pub frame: Option<Frame>,
+    /// How its times lie, where they do not meet those of the motion.
+    pub other_clock: Option<OtherClock>,
+    /// What is added to them then, s, as it was said.
+    pub clock_shift: Option<f64>,
     /// The question of what the file is, where that is not known.
     pub undecided: Option<Question>,
     /// Why the file is refused, whatever it is read as.
@@ -99,7 +104,11 @@ impl Source {
     /// What has to be said before the file can be read, in sentences.
     pub fn asks(&self) -> Vec<String> {
         let mut asks = self.asks_itself();
+        if self.said_clock_shift().is_none() {
+            asks.extend(self.other_clock.map(|clock| clock.question()));
+        }
         if self.said_frame().is_none() {
+            asks.extend(self.beside.then(|| frames::BESIDE.to_string()));
             asks.extend(self.foreign.then(|| frames::question(self.column("latitude").is_some())));
             asks.extend(self.own.map(|own| own.question()));
         }
@@ -214,6 +223,11 @@ impl Source {
             Frame::Moved => self.foreign,
             Frame::Own => self.own.is_some(),
         }
+    }
+
+    /// What is added to its times, as it was said and still may be.
+    pub fn said_clock_shift(&self) -> Option<f64> {
+        self.clock_shift.filter(|_| self.other_clock.is_some())
     }
 
     /// Whether a column's stamps are dates.

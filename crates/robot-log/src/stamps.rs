@@ -4,6 +4,7 @@ use crate::cells::Cells;
 use crate::error::Error;
 use crate::gathering::CellPlace;
 use crate::order::{BACK, ROWS};
+use crate::other_clock::{Span, join};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// Half a day, s: a time of day that goes back so far has passed midnight.
@@ -44,6 +45,8 @@ pub(crate) struct Stamps {
     pub doubles: Counted,
     /// Times before that of the row before.
     pub backward: Counted,
+    /// From when to when they are.
+    pub span: Option<Span>,
     last: Option<(f64, u64)>,
     back: Option<Back>,
 }
@@ -75,7 +78,13 @@ impl Stamps {
             self.anew(cells, before, time)?;
         }
         self.rows += 1;
+        self.see(time);
         Ok(time)
+    }
+
+    /// Widens the span.
+    pub fn see(&mut self, time: f64) {
+        self.span = Some(self.span.map_or([time; 2], |span| join(span, [time; 2])));
     }
 
     /// Refuses a second run: its rows would be taken among those of the first.

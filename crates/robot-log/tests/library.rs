@@ -2,7 +2,7 @@
 //! refused.
 
 use estimate::drive::Event;
-use robot_log::{Counting, Error, Files, Role};
+use robot_log::{Counting, Error, Files, Frame, Role};
 
 /// How a file is read, in one line.
 fn told(name: &str, text: &str) -> String {
@@ -180,7 +180,9 @@ fn a_fix_that_is_written_again_was_measured_once_and_so_was_the_course_beside_it
 fn what_is_left_out_of_one_file_leaves_the_others_whole() {
     let ranges = ("ranges.csv", "time,landmark,range\n0.1,7,5\n0.2,8,6\n0.3,9,7\n");
     let landmarks = ("landmarks.csv", "landmark,x,y\n7,3,4\n8,0,6\n9,7,0\n");
-    let read = with("gnss-held.csv", &[ranges, landmarks]).read().expect("sound");
+    let mut log = with("gnss-held.csv", &[ranges, landmarks]);
+    assert!(log.set_frame(2, Frame::Same));
+    let read = log.read().expect("sound");
     let seen: Vec<(usize, f64)> = (read.log.drive.rows.iter())
         .filter_map(|row| if let Event::Range { landmark, range } = row.event { Some((landmark, range)) } else { None })
         .collect();

@@ -121,11 +121,13 @@ fn a_variance_is_read_as_its_root() {
 
 /// Fixes in latitude and longitude, 11.1 m apart to the north, and the truth of the same way from an origin of its own.
 const GLOBAL: &str = "time [s],latitude,longitude\n10,50,8\n20,50.0001,8\n";
+/// Motion for as long.
+const DRIVEN: &str = "time [s],v,omega\n0,1,0\n30,1,0\n";
 const TRUTH: &str = "time [s],true_x,true_y\n0,400,795\n10,400,800\n20,400,811\n";
 
 #[test]
 fn a_truth_in_metres_beside_latitudes_is_asked_for_its_origin_and_can_be_moved() {
-    let mut log = files(&[("wheels.csv", WHEELS), ("gps.csv", GLOBAL), ("truth.csv", TRUTH)]);
+    let mut log = files(&[("wheels.csv", DRIVEN), ("gps.csv", GLOBAL), ("truth.csv", TRUTH)]);
     let asked = log.read().expect_err("another origin").message;
     assert!(asked.contains("truth.csv asks: Its places are in metres, the positions are in latitude"), "{asked}");
     assert!(log.files()[2].is_foreign() && !log.set_frame(1, Frame::Same), "only the truth is asked");
@@ -141,27 +143,27 @@ fn a_truth_in_metres_beside_latitudes_is_asked_for_its_origin_and_can_be_moved()
     assert!(log.set_role(2, Role::Unused));
     assert!(log.read().expect("sound").log.drive.truth.poses().is_empty());
     let global = "time [s],true_latitude,true_longitude\n0,50,8\n10,50.0001,8\n";
-    let turned = files(&[("wheels.csv", WHEELS), ("gps.csv", "t,gps_x,gps_y\n0,0,0\n"), ("truth.csv", global)]);
+    let turned = files(&[("wheels.csv", DRIVEN), ("gps.csv", "t,gps_x,gps_y\n0,0,0\n"), ("truth.csv", global)]);
     let asked = turned.read().expect_err("another origin").message;
     assert!(
         asked.contains("truth.csv asks: Its places are in latitude and longitude, the positions are in metres"),
         "{asked}"
     );
     // Nothing is asked of those that are counted alike.
-    let metric = files(&[("wheels.csv", WHEELS), ("gps.csv", "t,gps_x,gps_y\n0,0,0\n"), ("truth.csv", TRUTH)]);
+    let metric = files(&[("wheels.csv", DRIVEN), ("gps.csv", "t,gps_x,gps_y\n0,0,0\n"), ("truth.csv", TRUTH)]);
     assert!(metric.read().is_ok() && !metric.files()[2].is_foreign());
 }
 
 #[test]
-fn landmarks_and_fixes_in_metres_beside_latitudes_are_said_to_need_their_origin() {
-    let log = [("wheels.csv", WHEELS), ("gps.csv", GLOBAL), ("landmarks.csv", "id,x,y\n1,3,4\n")];
-    let notes = files(&log).read().expect("sound").notes;
-    assert!(notes.iter().any(|note| note.contains("landmarks.csv: its x and y are taken as metres east")), "{notes:?}");
+fn landmarks_and_fixes_in_metres_beside_latitudes_are_asked_for_their_origin() {
+    let log = [("wheels.csv", DRIVEN), ("gps.csv", GLOBAL), ("landmarks.csv", "id,x,y\n1,3,4\n")];
+    let asked = files(&log).read().expect_err("another origin").message;
+    assert!(asked.contains("landmarks.csv asks: Its places are in metres, others are in latitude"), "{asked}");
     let notes = files(&[log[0], log[2]]).read().expect("sound").notes;
     assert!(!notes.iter().any(|note| note.contains("east and north")), "{notes:?}");
-    // Their origin may be said: then the fixes are counted from it.
+    // Where it was said, the fixes are counted from it.
     let mut log = files(&log);
-    assert!(log.files()[2].is_beside() && log.files()[2].asks().is_empty() && !log.files()[1].is_beside());
+    assert!(log.files()[2].is_beside() && log.files()[2].asks().len() == 1 && !log.files()[1].is_beside());
     assert!(!log.set_frame(2, Frame::Moved) && log.set_origin(2, 49.9999, 8.0));
     let read = log.read().expect("sound");
     let north = read.log.drive.rows.iter().find_map(|row| match row.event {
@@ -170,7 +172,7 @@ fn landmarks_and_fixes_in_metres_beside_latitudes_are_said_to_need_their_origin(
     });
     assert!(north.is_some_and(|north| (north - 11.12).abs() < 0.01), "{north:?}");
     assert!(read.notes.iter().any(|note| note.contains("north of 49.99990\u{b0} N, 8.00000\u{b0} E; if its")));
-    assert!(log.set_frame(2, Frame::Same) && log.files()[2].frame() == Some(Frame::Same));
+    assert!(log.set_frame(2, Frame::Same) && log.files()[2].asks().is_empty());
     assert!(log.read().expect("sound").notes.iter().any(|note| note.contains("of the first fix, 50.0")));
 }
 

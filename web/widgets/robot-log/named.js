@@ -26,9 +26,9 @@ const mended = (fault, log) =>
 export function named({ suspects: [first, ...others], other }, log = null) {
   if (!first || first.standing === 'cleared' || other) return []
   if (first.standing === 'sure') return [first]
-  // What was held against the truth, and is not the first, mends nothing.
+  // What was held against the truth, and is not the first, mends nothing; what may be no fault is none to choose.
   const rival = others.find(
-    ({ standing, excess, mended }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended,
+    ({ standing, excess, mended, own }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended && !own,
   )
   if (!rival) return [first]
   const [id] = first.landmarks ?? []
