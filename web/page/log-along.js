@@ -87,7 +87,7 @@ class Opened {
    * @param {File[]} files @param {(log: File[]) => Promise<void>} read @param {Say} say
    */
   give(files, read, say) {
-    return files.some(({ name }) => /\.json$/i.test(name)) ? this.giveApart(files, read, say) : read(files)
+    return files.some(({ name }) => /\.(json|txt)$/i.test(name)) ? this.giveApart(files, read, say) : read(files)
   }
 
   /** @param {File[]} files @param {(log: File[]) => Promise<void>} read @param {Say} say */

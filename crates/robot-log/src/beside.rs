@@ -24,6 +24,16 @@ pub(crate) fn names(files: &mut [File], said: Option<usize>) {
     }
 }
 
+/// Leaves out the file that was added where one before it has the same text: each of its rows would count twice.
+pub(crate) fn same(files: &mut [File], at: usize) {
+    let (before, rest) = files.split_at_mut(at);
+    let Some(file) = rest.first_mut() else { return };
+    if let Some(other) = before.iter().find(|other| other.text() == file.text()) {
+        file.set_role(Role::Unused);
+        file.source.same_as = Some(other.name().to_string());
+    }
+}
+
 /// Leaves out the speed that a receiver of positions has besides, where another table says how the robot moved: two
 /// speeds would be held in turn. Of a file whose role was said just now alone: of others the reader may have chosen it.
 pub(crate) fn speeds(files: &mut [File], said: Option<usize>) {
@@ -219,8 +229,8 @@ impl File {
         let numbered = there && wide::numbered(&self.source.names);
         let changed = found != self.source.called;
         self.source.called = found;
-        // What a file is read once more for is known.
-        if self.again.is_some() {
+        // What a file is read once more for is known, and what is there already is left out.
+        if self.again.is_some() || self.source.same_as.is_some() {
             return;
         }
         if changed && !self.source.called.is_empty() && ((open && !said) || self.role() == Role::Ranges) {

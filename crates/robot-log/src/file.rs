@@ -149,7 +149,10 @@ impl File {
 
     /// What is said of it where it is not used.
     pub(crate) fn unused(&self) -> String {
-        notes::unused(&self.name, &self.source.names)
+        match &self.source.same_as {
+            Some(other) => format!("{} is not used: it is the same as {other}", self.name),
+            None => notes::unused(&self.name, &self.source.names),
+        }
     }
 
     /// Whether a question is about a value of its role, the `at`-th: about its column, or its unit.

@@ -55,6 +55,7 @@ impl Files {
             return refuse(format!("the log has {bytes} bytes; at most {MAX_BYTES} were expected"));
         }
         self.files.insert(at, File::new(name, text));
+        beside::same(&mut self.files, at);
         beside::names(&mut self.files, None);
         self.read_again();
         beside::speeds(&mut self.files, None);
@@ -256,9 +257,8 @@ impl Files {
                     reading.begin_file(gyro.is_some_and(|gyro| gyro != i) && turning::drives(file));
                     file.rows(i, |row| reading.take(role, row))?;
                     if reading.taken() == before {
-                        let name = file.name();
-                        reading
-                            .say(vec![format!("{name}: read as {}, it has no row that says anything.", role.name())]);
+                        let (name, role) = (file.name(), role.name());
+                        reading.say(vec![format!("{name}: read as {role}, it has no row that says anything.")]);
                     }
                     let shared = file.again.is_some() || self.files.iter().any(|it| it.again() == Some(i));
                     times[i].all = reading.end_file(file.name(), file.words(), shared);

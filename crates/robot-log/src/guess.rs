@@ -81,6 +81,7 @@ fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
         several: None,
         only: None,
         foreign: false,
+        same_as: None,
         other_clock: None,
         clock_shift: None,
         beside: false,

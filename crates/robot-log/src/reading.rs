@@ -134,8 +134,7 @@ impl LogReader {
                     return rows.iter().try_for_each(|line| self.take(role, Cells { line, ..cells }));
                 }
                 self.to.begin(start)?;
-                let (time, seen) = (cells.time()?, self.landmark(cells)?);
-                self.kept.stamps.see(time);
+                let (time, seen) = (self.kept.stamps.time(cells)?, self.landmark(cells)?);
                 self.placed.take(cells, seen)?;
                 let range = match cells.range("range", cells.source.column("range").unwrap_or(0))? {
                     Ok(range) => range,

@@ -53,6 +53,8 @@ pub(crate) struct Source {
     pub clock_shift: Option<f64>,
     /// The question of what the file is, where that is not known.
     pub undecided: Option<Question>,
+    /// The file of the same text that was added before: this one is not used, or each row would count twice.
+    pub same_as: Option<String>,
     /// Why the file is refused, whatever it is read as.
     pub refused: Option<String>,
 }

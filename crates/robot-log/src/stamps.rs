@@ -7,8 +7,8 @@ use crate::order::{BACK, ROWS};
 use crate::other_clock::{Span, join};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// Half a day, s: a time of day that goes back so far has passed midnight.
-const HALF_A_DAY: f64 = 43_200.0;
+/// A day, s: a time of day that goes back by more than half of it has passed midnight.
+const DAY: f64 = 86_400.0;
 
 /// How many rows are of a kind, and the line of the first.
 #[derive(Clone, Copy, Debug, Default)]
@@ -47,6 +47,8 @@ pub(crate) struct Stamps {
     pub backward: Counted,
     /// From when to when they are.
     pub span: Option<Span>,
+    /// The last time of day as it stands in the file, and how many midnights have passed.
+    of_day: Option<(f64, f64)>,
     last: Option<(f64, u64)>,
     back: Option<Back>,
 }
@@ -55,9 +57,9 @@ impl Stamps {
     /// The time of a row.
     ///
     /// # Errors
-    /// It is no time; a time of day has passed midnight; the clock of a file of motion has begun anew.
+    /// It is no time; the clock of a file of motion has begun anew.
     pub fn take(&mut self, cells: Cells<'_>) -> Result<f64, Error> {
-        let (time, line) = (cells.time()?, cells.line.number);
+        let (time, line) = (self.time(cells)?, cells.line.number);
         let mut hasher = DefaultHasher::new();
         cells.line.fields.iter().for_each(|field| field.text.hash(&mut hasher));
         let row = hasher.finish();
@@ -71,20 +73,29 @@ impl Stamps {
             if time < before {
                 self.backward.take(line);
             }
-            if before - time > HALF_A_DAY && cells.is_time_of_day() {
-                let message = "the time of day goes back, past midnight; stamps with their dates were expected";
-                return Err(cells.place("time").refuse(message));
-            }
             self.anew(cells, before, time)?;
         }
         self.rows += 1;
-        self.see(time);
         Ok(time)
     }
 
-    /// Widens the span.
-    pub fn see(&mut self, time: f64) {
+    /// The time of one of several rows of a moment. A time of day that has passed midnight is one of the next day.
+    ///
+    /// # Errors
+    /// It is no time.
+    pub fn time(&mut self, cells: Cells<'_>) -> Result<f64, Error> {
+        let mut time = cells.time()?;
+        if cells.is_time_of_day() {
+            if let Some((before, day)) = &mut self.of_day {
+                *day += libm::round((*before - time) / DAY);
+                *before = time;
+                time += DAY * *day;
+            } else {
+                self.of_day = Some((time, 0.0));
+            }
+        }
         self.span = Some(self.span.map_or([time; 2], |span| join(span, [time; 2])));
+        Ok(time)
     }
 
     /// Refuses a second run: its rows would be taken among those of the first.
@@ -113,6 +124,9 @@ impl Stamps {
         let Self { rows, repeats, doubles, backward, .. } = *self;
         let many = |counted: Counted| rows >= 5 && 5 * counted.count > rows;
         let mut notes = Vec::new();
+        if self.of_day.is_some_and(|(_, days)| days != 0.0) {
+            notes.push(format!("{name}: its times of day pass midnight, and are of the next day from there on."));
+        }
         if many(repeats) {
             notes.push(format!(
                 "{name}: {} of {rows} times repeat the one before. Are fractions of a second in another column?",

@@ -32,11 +32,16 @@ fn said(of: &[(&str, &str)], words: &str) -> bool {
 }
 
 #[test]
-fn a_file_under_two_names_is_said_to_count_twice() {
+fn a_file_under_two_names_is_left_out_and_counts_twice_where_a_reader_uses_it() {
     let (motion, gps) = (speeds(), fixes(60.0));
     let once = [("speed.csv", &*motion), ("gps.csv", &*gps)];
     assert!(!said(&once, "count twice"), "{:?}", read(&once).notes);
-    let twice = [once[0], once[1], ("gps (1).csv", &*gps)];
+    let copy = [once[0], once[1], ("gps (1).csv", &*gps)];
+    assert!(said(&copy, "gps (1).csv is not used: it is the same as gps.csv."), "{:?}", read(&copy).notes);
+    assert_eq!(read(&copy).log.drive, read(&once).log.drive);
+    // One that another program has written anew is another file.
+    let anew = gps.replace("0,", "00,");
+    let twice = [once[0], once[1], ("gps (1).csv", &*anew)];
     assert!(said(&twice, "300 of 600 positions have the time and the values of another"), "{:?}", read(&twice).notes);
     // So are rows that one file has twice, wherever they stand.
     let doubled = format!("{gps}{}", gps.split_once('\n').expect("a header").1);

@@ -92,3 +92,23 @@ fn a_truth_and_ranges_of_another_clock_are_asked_by_themselves() {
     assert_eq!(read.truth.poses()[0].time, 0.0);
     assert_eq!(read.span(), Some([0.0, 100.0]));
 }
+
+#[test]
+fn a_time_of_day_goes_on_over_midnight_and_a_file_that_begins_after_it_is_of_another_day() {
+    let stamp = |k: i32| format!("{:02}:{:02}:{:02}", k / 3600 % 24, k / 60 % 60, k % 60);
+    let from = 24 * 3600 - 50;
+    let motion: String = (0..=100).map(|k| format!("{},1,0\n", stamp(from + k))).collect();
+    let wheels = ("wheels.csv", format!("time,v,omega\n{motion}"));
+    let seen: String = (0..=100).map(|k| format!("{0},1,5\n{0},2,6\n", stamp(from + k))).collect();
+    let landmarks = ("landmarks.csv", "landmark,x,y\n1,3,4\n2,0,5\n".to_string());
+    let read = opened(&[wheels.clone(), ("seen.csv", format!("time,landmark,range\n{seen}")), landmarks]).read();
+    let read = read.expect("sound");
+    assert_eq!(read.log.drive.span(), Some([f64::from(from), f64::from(from + 100)]));
+    assert!(read.notes.iter().any(|note| note.starts_with("wheels.csv: its times of day pass midnight")));
+    let fixes: String = (60..=100).map(|k| format!("{},{k},0\n", stamp(from + k))).collect();
+    let mut late = opened(&[wheels, ("gps.csv", format!("time,gps_x,gps_y\n{fixes}"))]);
+    assert_eq!(late.files()[1].other_clock().expect("asked").zone, Some(86_400.0));
+    assert!(late.set_clock_shift(1, 86_400.0));
+    late.compare();
+    assert_eq!(fix_times(&late), [f64::from(from + 60), f64::from(from + 100)]);
+}
