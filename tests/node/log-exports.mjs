@@ -83,7 +83,7 @@ export const logClasses = (lab) => ({
     construct: (core) => (text) => core.RobotLog.parse(text),
     make: () => [LOG],
     spoilt: 0.7,
-    methods: { contents: () => [], handle: () => [] },
+    methods: { contents: () => [], handle: () => [], opening: () => [{ bearingOffset: 0.1 }] },
     look: (it) => it.contents(),
     covariances: () => [],
   },

@@ -23,6 +23,13 @@ test('what a fit has found has as many digits as it is known to', () => {
   assert.equal(number('headingOffset', 0.2, 0.0025), 'offset of the headings, °: 11.46 ± 0.14')
   assert.equal(number('offset', -12.3, 25), 'offset of the ranges, m: −12 ± 25')
   assert.match(number('scale', 0.03, null), /does not tell it/)
+  const turned = { name: 'bearingOffset', value: 0.0567, sigma: 0.0008, relative: false, flat: null }
+  assert.equal(
+    fitted(turned, { ...MOTION, halfTurn: 0.0042 }),
+    'offset of the bearings, °: 3.249 ± 0.046, of which 0.241 may be the motion model’s own, half of the turn of a ' +
+      'step',
+  )
+  assert.doesNotMatch(fitted(turned, { ...MOTION, halfTurn: 0.0002 }), /own/)
   const stair = fitted({ name: 'delayFix', value: 0.317, sigma: 0.025, relative: false, flat: [0.3, 0.4] }, MOTION)
   const short = { name: 'delaySighting', value: -0.0108, sigma: 0.0023, relative: false, flat: null }
   const own = /: −0\.0108 ± 0\.0023: less than half a step of 0\.100 s .* the motion model’s own, and not taken$/

@@ -184,7 +184,8 @@ test('a file whose times do not meet the motion’s is asked, has words for its 
     [-3605, 'its own: it begins when the motion does'],
     [0, 'the motion’s: nothing is added'],
   ])
-  assert.deepEqual([clock.said, [...clock.meets]], [null, [-3695, -3505]])
+  assert.deepEqual([clock.said, clock.asked, [...clock.meets]], [null, true, [-3695, -3505]])
+  assert.equal(clocksOf({ ...clock, zone: -18 })[0][1], 'GPS time: 18 s are taken off')
   assert.deepEqual(
     clocksOf({ ...clock, zone: 2 * 86400, said: -3599.5 }).filter(([one]) => one !== 0),
     [

@@ -64,7 +64,8 @@ test('what lies at the end of a search is more than that, and has no ±', () => 
   assert.equal(
     said({ ...clock, sizes: [size(3, 0.035, end)] }),
     'The headings come more than 3.0 s late: set the delay to 3.0 s. ' +
-      'No longer delay was tried: the verdict after it goes on from there.',
+      'No longer delay was tried. Where a whole file has another clock, add the seconds to its times, among its ' +
+      'columns.',
   )
   assert.match(
     said({ fault: 'bias', name: 'turnBias', sizes: [size(-1, 0.01, end)] }),
@@ -96,4 +97,12 @@ test('a σ of the distance that is a good part of the way is told with what it m
   const taken = ranked(judgement([sigma(0.6, 0.6, 'cleared')]), log)
   assert.match(taken, new RegExp(`^No fault: .* The σ of the distance is set to 0\\.6 m/√s\\. ${hides}$`))
   assert.doesNotMatch(ranked(judgement([sigma(0.06, 0.06, 'cleared')]), log), /hide/)
+})
+
+test('of a turned camera it is said what may be the motion model’s own', () => {
+  const turned = suspect({ fault: 'turned', name: 'bearingOffset', sizes: [size(0.0568, 0.0016)] })
+  const told = (/** @type {number} */ halfTurn) =>
+    ranked(judgement([turned], { halfTurn }), { rows: 1000, truth: false })
+  assert.match(told(0.0042), /to 3\.254°\. 0\.24° of that may be the motion model’s own, half of the turn of a step\. /)
+  assert.doesNotMatch(told(0.0002), /own/)
 })

@@ -241,3 +241,12 @@ test('σ that are wrong, or that the page begins with, are fitted together at on
   assert.deepEqual(of([own, turn])[0][0].fit, ['fixSigmaScale', 'sigmaTurn'])
   assert.deepEqual(of([suspect({}), turn, distance])[0][0].patch, { delayFix: 0.35 })
 })
+
+test('a delay beyond all that are tried is set once, and then it is a file’s clock', () => {
+  const late = suspect({ fault: 'clock', name: 'delayFix', sizes: [{ now: 0, value: 3, sigma: 0.1, end: true }] })
+  assert.deepEqual(remedy(late, params, false)?.patch, { delayFix: 3 })
+  const early = suspect({ fault: 'clock', name: 'delaySpeed', sizes: [{ now: 0, value: -3, sigma: 0.1, end: true }] })
+  assert.equal(remedy(early, { ...params, delayFix: 3 }, false), null)
+  const told = suspect({ fault: 'clock', name: 'delayFix', sizes: [{ now: 3, value: 5.2, sigma: 0.1, end: false }] })
+  assert.deepEqual(remedy(told, { ...params, delayFix: 3 }, false)?.patch, { delayFix: 5.2 })
+})

@@ -31,6 +31,7 @@ export const judgement = (suspects, more) => ({
   arcs: null,
   period: 0.1,
   pace: 1.5,
+  halfTurn: 0,
   noise: { nis: null, refused: null, correlated: null },
   gaps: [],
   other: false,

@@ -77,6 +77,8 @@ export function clocksOf({ said, zone, together }) {
 
 /** @param {number} seconds */
 function zoneWords(seconds) {
+  // What GPS time is ahead of UTC by is no part of an hour.
+  if (Math.abs(seconds) < 900) return `GPS time: ${Math.abs(seconds)} s are ${seconds > 0 ? 'added' : 'taken off'}`
   const days = seconds / 86400
   const [count, unit] = Number.isInteger(days) ? [days, 'day'] : [seconds / 3600, 'hour']
   const many = Math.abs(count) === 1 ? unit : `${unit}s`

@@ -95,11 +95,9 @@ export class FileForm {
     const roles = Object.entries(ROLES).filter(([key]) => key !== 'undecided' || role === key)
     const what = part(document, set, 'div', `log-value log-role${role === 'undecided' ? ' asked' : ''}`)
     this.choice(what, `${i} read as`, 'read as', roles, role, (value) => ({ file: i, role: value }))
+    const called = header.map((one, at) => /** @type {[string, string]} */ ([String(at), one || `column ${at + 1}`]))
     /** @type {[string, string][]} */
-    const columns = [
-      ['', '–'],
-      ...header.map((column, at) => /** @type {[string, string]} */ ([String(at), column || `column ${at + 1}`])),
-    ]
+    const columns = [['', '–'], ...called]
     // What the file has, what it must have and what is asked; of a file in which nothing is known, what is usual.
     const known = values.some(({ name: value, column, asked }) => asked || (column !== null && value !== 'time'))
     const shown = values.filter(
@@ -108,17 +106,20 @@ export class FileForm {
     )
     const hidden = values.filter((value) => !shown.includes(value))
     for (const value of shown) this.value(set, i, columns, value)
-    if (hidden.length > 0) {
+    // The clock of a file whose times are those of the motion is seldom another one.
+    const aside = clock && !clock.asked && clock.said === null
+    if (hidden.length > 0 || aside) {
       const more = /** @type {HTMLDetailsElement} */ (part(document, set, 'details', 'log-more'))
       more.open = this.opened.has(name)
       more.addEventListener('toggle', () => (more.open ? this.opened.add(name) : this.opened.delete(name)))
-      part(document, more, 'summary', '').textContent = 'more columns'
+      part(document, more, 'summary', '').textContent = aside ? 'more columns, and its clock' : 'more columns'
       const inner = part(document, more, 'div', 'log-values')
       for (const value of hidden) this.value(inner, i, columns, value)
+      if (aside) this.added(inner, i, 'seconds that are added to its times')
     }
     if (several) this.several(set, i, header, several)
     if (wheels) this.wheels(set, i, wheels, needs)
-    if (clock) this.clock(set, i, clock)
+    if (clock && !aside) this.clock(set, i, clock)
     if (frame) this.frame(set, i, frame)
     if (follows) part(document, set, 'p', 'log-follows').textContent = `So: ${follows}.`
     const left = unreadWords(unread.map((at) => header[at] || `column ${at + 1}`))
@@ -214,7 +215,12 @@ export class FileForm {
     if (said === null) options.unshift(['', 'choose one'])
     const make = (/** @type {string} */ one) => ({ file: i, clockShift: Number(one) })
     this.choice(cell, `${i} clock`, 'its clock', options, String(said ?? ''), make)
-    this.entry(cell, `${i} clock shift`, 'or seconds that are added to its times', '', (text) => {
+    this.added(cell, i, 'or seconds that are added to its times')
+  }
+
+  /** A field for what is added to the times of a file. @param {Element} into @param {number} i @param {string} words */
+  added(into, i, words) {
+    this.entry(into, `${i} clock shift`, words, '', (text) => {
       const seconds = Number(text.trim().replace('−', '-').replace(',', '.') || NaN)
       return Number.isFinite(seconds) ? { file: i, clockShift: seconds } : null
     })

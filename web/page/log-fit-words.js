@@ -140,10 +140,10 @@ export function delaysAreOfModel(numbers, period) {
 /**
  * How well the log tells a number, and what may hide in it.
  * @param {LogFound['numbers'][number]} number
- * @param {{ pace: number, period: number }} motion metres driven in a second, seconds between its rows; 0 where no
- * delay is the model’s own
+ * @param {{ pace: number, period: number, halfTurn?: number }} motion metres driven in a second, seconds between its
+ * rows, 0 where no delay is the model’s own, and half the mean turn of a step
  */
-export function sentence(number, { pace, period }) {
+export function sentence(number, { pace, period, halfTurn = 0 }) {
   const { name, value, relative, sigma, flat } = number
   const words = NAMES[name] ?? name
   if (flat && isStair(flat, sigma))
@@ -159,7 +159,12 @@ export function sentence(number, { pace, period }) {
     ? `: less than half a step of ${fixed(period, 3)} s between rows of motion, ` +
       'which may be the motion model’s own, and not taken'
     : ''
-  return `${words}: ${fixed(value * unit, digits)} ± ${fixed(told, digits)}${own}`
+  const half = halfTurn * unit
+  const turns =
+    name === 'bearingOffset' && Math.abs(half) > 0.5 * told
+      ? `, of which ${fixed(half, digits)} may be the motion model’s own, half of the turn of a step`
+      : ''
+  return `${words}: ${fixed(value * unit, digits)} ± ${fixed(told, digits)}${turns}${own}`
 }
 
 /** So many decimals that an uncertainty has two digits. @param {number} sigma */

@@ -118,7 +118,7 @@ export class FitForm {
 
   /** @param {LogFound} found */
   found(found) {
-    const { numbers, pace, period } = found
+    const { numbers, pace, period, halfTurn } = found
     const { result } = this
     if (!result) return
     this.of = JSON.stringify(this.params)
@@ -127,7 +127,7 @@ export class FitForm {
     if (bent) part(document, result, 'p', '').textContent = bent
     const list = part(document, result, 'ul', '')
     const own = delaysAreOfModel(numbers, period)
-    const motion = { pace, period: own ? period : 0 }
+    const motion = { pace, period: own ? period : 0, halfTurn }
     const stays = (/** @type {LogFound['numbers'][number]} */ number) =>
       number.sigma === null ? '' : bent ? BENT : whyAsSet(number, this.params ?? {}, this.staying?.(number.name) ?? '')
     for (const number of numbers)

@@ -78,7 +78,12 @@ export class Forms {
       this.change(patch)
     }
     this.sensors = new SensorForm(box, this.change)
-    this.start = new StartForm(box, this.change, smooth)
+    // The first readings tell it as they are read now: with the σ and the offsets that are set.
+    const opening = async () => {
+      const { found } = await host.figure.run.opening()
+      if (found) this.change(found)
+    }
+    this.start = new StartForm(box, this.change, { opening, smooth })
     this.fit = new FitForm(box, { fit, stop: this.stopFit, take })
     /** Where the log begins by its first fixes, as text. */
     this.opening = ''

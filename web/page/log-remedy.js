@@ -20,7 +20,10 @@ import { bySensor } from './log-numbers.js'
 export const GATE = 0.999
 const DEGREE = Math.PI / 180
 /** The delays of readings that come late together, in the order of their sizes. */
-const TOGETHER = ['delayFix', 'delayHeading', 'delaySighting']
+const TOGETHER = /** @type {const} */ (['delayFix', 'delayHeading', 'delaySighting'])
+const DELAYS = /** @type {const} */ (['delaySpeed', 'delayTurn', ...TOGETHER])
+/** The longest delay that is tried from none, s. */
+const FAR = 3
 /** What the filter learns by itself, by the number that is off. @type {Record<string, string>} */
 const LEARNED = { turnBias: 'learnBias', speedScale: 'learnSpeed' }
 
@@ -88,6 +91,8 @@ export function remedy(suspect, params, truth, log = null) {
       ? { press: 'Switch the gate on, with that σ', patch: { gate, [name]: said(sizes[1]) } }
       : { press: 'Switch the gate on', patch: { gate } }
   }
+  // One beyond all that are tried is set once: further on it is no sensor that is late, but a file's clock.
+  if (fault === 'clock' && sizes[0].end && DELAYS.some((one) => Math.abs(params[one] ?? 0) >= FAR)) return null
   if (fault === 'start') {
     if (truth) return null
     const [x, y, theta] = sizes

@@ -6,7 +6,7 @@
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
 import { withholdingShown } from '../widgets/robot-log/withheld.js'
-import { openedBy, openingOf } from './log-numbers.js'
+import { openedBy } from './log-numbers.js'
 import { numberField } from './number-field.js'
 
 /** @typedef {import('estimate-wasm').LogContents} LogContents */
@@ -24,10 +24,13 @@ const POSE = [
 const UNZOOMED = 'The panels show the whole log. Drag across one over time first.'
 
 export class StartForm {
-  /** @param {HTMLElement} into @param {(patch: Patch) => void} change @param {() => void} smooth */
-  constructor(into, change, smooth) {
+  /**
+   * @param {HTMLElement} into @param {(patch: Patch) => void} change
+   * @param {{ opening: () => void, smooth: () => void }} orders
+   */
+  constructor(into, change, orders) {
     this.change = change
-    this.smooth = smooth
+    this.orders = orders
     this.box = part(document, into, 'div', 'log-sensors')
     /** @type {((frame: Frame) => void)[]} */
     this.shows = []
@@ -69,15 +72,12 @@ export class StartForm {
       this.change({ startSigmaHeading: value * DEGREE }),
     )
     const actions = part(document, row, 'div', 'log-actions')
-    let factor = 1
-    const opened = () => this.change({ ...openingOf(contents, factor) })
-    if (contents.opening) button(document, actions, `From the first ${openedBy(contents)}`, opened)
+    if (contents.opening) button(document, actions, `From the first ${openedBy(contents)}`, this.orders.opening)
     button(document, actions, 'At the origin', () => this.change({ start: null }))
     const words = part(document, row, 'p', 'log-says')
     words.textContent =
       'Keep this as A, go to the beginning of the time line, and drag the start on the map against the fixes of A.'
     this.shows.push(({ params }) => {
-      factor = params.fixSigmaScale
       pose = params.start ?? [0, 0, 0]
       fields.forEach((field, i) => {
         field.show(pose[i] / POSE[i][1])
@@ -119,7 +119,7 @@ export class StartForm {
       typed = [null, null]
       this.change({ withheld: null })
     })
-    button(document, actions, 'Smooth the track', () => this.smooth())
+    button(document, actions, 'Smooth the track', this.orders.smooth)
     const words = part(document, row, 'p', 'log-says')
     this.shows.push((frame) => {
       withheld = frame.params.withheld

@@ -71,11 +71,13 @@ export interface LogOrigin {
     /** What the fixes and the motion tell: it may be "own"; else null. */
     own: LogOwn | null;
 }
-/** The clock of a file whose times do not meet those of the motion. */
+/** The clock of a file beside that of the motion. */
 export interface LogClock {
-    /** What is added to its times, s; null where it has to be said. */
+    /** What is added to its times, s; null where nothing has been said. */
     said: number | null;
-    /** The whole quarters of an hour, or whole days, that bring its times into the motion's, s; null where none do. */
+    /** Whether it has to be said: its times do not meet the motion's, or begin and end as much later or earlier. */
+    asked: boolean;
+    /** The quarters of an hour, days, or GPS time's 18 s that bring its times into the motion's; else null. */
     zone: number | null;
     /** What lets it begin with the motion, s. */
     together: number;
@@ -110,7 +112,7 @@ export interface LogFile {
     several: LogSeveral | null;
     /** The frame of a truth that does not lie on the fixes; null of a file that is not asked. */
     frame: LogOrigin | null;
-    /** The clock of a file whose times do not meet those of the motion; null of another file. */
+    /** Its clock beside that of the motion; null of a file without times, and of the one that has the log's. */
     clock: LogClock | null;
     /** What has to be said before the file can be read: a guess that is not certain chooses nothing. */
     asks: string[];
@@ -127,7 +129,7 @@ pub(crate) const COUNTINGS: [(&str, Counting); 3] =
     [("total", Counting::Total), ("step", Counting::Step), ("restarted", Counting::Restarted)];
 pub(crate) const FRAMES: [(&str, Frame); 3] = [("same", Frame::Same), ("moved", Frame::Moved), ("own", Frame::Own)];
 
-fn texts<T: AsRef<str>>(all: impl IntoIterator<Item = T>) -> JsValue {
+pub(crate) fn texts<T: AsRef<str>>(all: impl IntoIterator<Item = T>) -> JsValue {
     all.into_iter().map(|text| JsValue::from_str(text.as_ref())).collect::<Array>().into()
 }
 
@@ -160,9 +162,15 @@ fn origin(file: &File) -> JsValue {
 }
 
 /// What may be added to the times of a file, and what is.
-fn clock(OtherClock { zone, together, meets, .. }: &OtherClock, said: Option<f64>) -> JsValue {
+fn clock(OtherClock { asked, zone, together, meets, .. }: &OtherClock, said: Option<f64>) -> JsValue {
     let number = |number: Option<f64>| number.map_or(JsValue::NULL, Into::into);
-    record(&[("said", number(said)), ("zone", number(*zone)), ("together", (*together).into()), ("meets", list(meets))])
+    record(&[
+        ("said", number(said)),
+        ("asked", (*asked).into()),
+        ("zone", number(*zone)),
+        ("together", (*together).into()),
+        ("meets", list(meets)),
+    ])
 }
 
 /// What brings a truth onto the fixes.

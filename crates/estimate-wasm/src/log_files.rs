@@ -131,7 +131,7 @@ impl LogFiles {
         self.change(file, "origin", |files, file| files.set_origin(file, latitude, longitude))
     }
 
-    /// Says how many seconds are added to the times of a file, of which that is asked.
+    /// Says how many seconds are added to the times of a file that has not the log's own clock.
     #[wasm_bindgen(js_name = setClockShift)]
     pub fn set_clock_shift(
         &self,

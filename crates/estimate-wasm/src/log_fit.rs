@@ -41,6 +41,8 @@ export interface LogFound {
     expected: number;
     /** The mean distance of a second in which the robot drives, metres: what σ of the distance is held against. */
     pace: number;
+    /** Half of the mean turn of a step, radians: by so much the filter takes a sensor of bearings to be turned. */
+    halfTurn: number;
     /** The median time between rows of motion, seconds: a delay of at most half of it may be the motion model's own. */
     period: number;
 }
@@ -110,6 +112,7 @@ fn shown(found: &FitResult) -> JsValue {
         ("beyond", found.beyond.into()),
         ("expected", found.expected.into()),
         ("pace", found.pace.into()),
+        ("halfTurn", found.half_turn.into()),
         ("period", found.period.into()),
     ])
 }

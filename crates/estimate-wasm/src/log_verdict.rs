@@ -119,6 +119,11 @@ export interface LogJudgement {
     period: number;
     /** The mean distance of a second in which the robot drives, metres. */
     pace: number;
+    /**
+     * Half of the mean turn of a step, radians, by which the filter takes a sensor of bearings to be turned; 0 where
+     * the sizes are those of a robot that turns on its way.
+     */
+    halfTurn: number;
     /** What of the innovations does not look like noise, once all was looked at. */
     noise: LogNoise;
     /**
@@ -177,6 +182,7 @@ fn shown(judgement: &Judgement) -> JsValue {
         ("arcs", judgement.arcs.map_or(JsValue::NULL, Into::into)),
         ("period", judgement.period.into()),
         ("pace", judgement.pace.into()),
+        ("halfTurn", judgement.half_turn.into()),
         ("noise", noise(&judgement.noise)),
         ("gaps", judgement.gaps.iter().map(gap).collect::<Array>().into()),
         ("other", judgement.other.into()),

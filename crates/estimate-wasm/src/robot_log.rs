@@ -5,12 +5,13 @@ use crate::encode::{Row, record};
 use crate::errors::Thrown;
 use crate::lab::{AnyLab, RobotLog};
 use crate::log_corrections;
+use crate::log_file::texts;
 use crate::log_opening;
 use crate::object::Held;
-use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Summary, lacks, log_likelihood};
+use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Settings, Summary, lacks, log_likelihood};
 use estimate::validate::finite;
 use estimate::{Code, Error, Landmark};
-use js_sys::{Array, JsString};
+use js_sys::JsString;
 use lab::{Lab, Params, Plain};
 use labs::{LogParams, LoggedDrive};
 use robot_log::{Corrections, Understood};
@@ -50,7 +51,7 @@ export interface LogContents {
     truth: boolean;
     /** Where the drive began by its first fixes, or without these by its first ranges, as parameters of a lab: null
         where neither tell it, or where the truth says it. */
-    opening: { start: [number, number, number]; startSigma: number; startSigmaHeading: number } | null;
+    opening: LogOpening | null;
     /** What was left out of the log's files or added to them, in sentences. */
     notes: string[];
 }
@@ -148,11 +149,25 @@ impl DriveLog {
                 ("corrections", log_corrections::shown(&held.corrections)),
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
-                ("opening", log_opening::shown(*held.opening.get_or_init(|| log_opening::began(drive)))),
+                (
+                    "opening",
+                    log_opening::shown(*held.opening.get_or_init(|| log_opening::began(drive, &Settings::default()))),
+                ),
                 ("names", texts(&held.names)),
                 ("notes", texts(&held.notes)),
             ])
         })
+    }
+
+    /// Where it began by its first readings as `params` read them; null where a truth says it, or they do not tell it.
+    #[wasm_bindgen(unchecked_return_type = "LogOpening | null")]
+    pub fn opening(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Partial<LogParams>")] params: &JsValue,
+    ) -> Result<JsValue, Thrown> {
+        self.0.is(LOG)?;
+        let settings = log_opening::settings(params)?;
+        self.0.read(LOG, |held: &LogContents| log_opening::shown(log_opening::began(held.logged.drive(), &settings)))
     }
 
     /// The number by which a lab knows this log.
@@ -176,10 +191,6 @@ impl DriveLog {
         let held = LogContents { handle, logged, rows: count, notes, names, wheels, corrections, opening };
         Self(Held::new(LOG, held))
     }
-}
-
-fn texts(all: &[String]) -> JsValue {
-    all.iter().map(|text| JsValue::from_str(text)).collect::<Array>().into()
 }
 
 /// How many readings each sensor of a log has.

@@ -33,6 +33,8 @@ mod moves;
 mod noise;
 mod opening;
 mod opening_ranges;
+mod opening_seen;
+mod opening_spread;
 mod outliers;
 mod pace;
 mod read;

@@ -121,8 +121,8 @@ pub(crate) fn compared(files: &[File]) -> Option<(usize, bool)> {
     Some((at, metric || places == Places::Metric))
 }
 
-/// Finds the files whose times do not meet those of the motion: of the others that say how the robot moved, where one
-/// says that too. The first of those has the log's clock.
+/// The clock of each file beside that of the motion: of the others that say how the robot moved, where one says that
+/// too. The first of those has the log's clock.
 pub(crate) fn clocks(files: &[File], times: &[Times]) -> Vec<Option<OtherClock>> {
     let moves = |at: usize| times[at].motion.is_some();
     let first = (0..files.len()).find(|at| moves(*at));
@@ -136,7 +136,7 @@ pub(crate) fn clocks(files: &[File], times: &[Times]) -> Vec<Option<OtherClock>>
         let first = first.filter(|first| of_one(*first) != of_one(at))?;
         // Parts of one log follow one another.
         let part = moves(at) && said(at) == said(first);
-        OtherClock::new(times[at].all.filter(|_| !part)?, motion(at)?)
+        Some(OtherClock::new(times[at].all.filter(|_| !part)?, motion(at)?))
     };
     (0..files.len()).map(clock).collect()
 }
@@ -176,22 +176,22 @@ impl File {
         self.source.own.as_ref()
     }
 
-    /// How its times lie, where they do not meet those of the motion: then it is asked what is to be added to them.
+    /// Its clock beside that of the motion; `None` of a file without times, and of the one that has the log's.
     pub fn other_clock(&self) -> Option<&OtherClock> {
         self.source.other_clock.as_ref()
     }
 
-    /// What is added to its times, s, as it was said; `None` where that has not been said, or is not asked.
+    /// What is added to its times, s, as it was said; `None` where that has not been said, or cannot be.
     pub fn clock_shift(&self) -> Option<f64> {
         self.source.said_clock_shift()
     }
 
     pub(crate) fn set_clock_shift(&mut self, seconds: f64) -> bool {
-        let asked = self.source.other_clock.is_some() && seconds.is_finite();
-        if asked {
+        let there = self.source.other_clock.is_some() && seconds.is_finite();
+        if there {
             self.source.clock_shift = Some(seconds);
         }
-        asked
+        there
     }
 
     /// Whether its places are counted from another point than those of the log's fixes: then that is asked.

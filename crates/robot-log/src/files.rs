@@ -114,7 +114,7 @@ impl Files {
         self.files.get_mut(file).is_some_and(|file| file.set_frame(frame))
     }
 
-    /// Says what is added to the times of a file, s. Answers whether there is such a file, and that is asked of it
+    /// Says what is added to the times of a file, s. Answers whether there is such a file, and that may be said of it
     /// ([`File::other_clock`]).
     pub fn set_clock_shift(&mut self, file: usize, seconds: f64) -> bool {
         self.compare();

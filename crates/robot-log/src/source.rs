@@ -47,7 +47,7 @@ pub(crate) struct Source {
     /// What brings a truth onto the log's fixes, where it does not lie on them.
     pub own: Option<Own>,
     pub frame: Option<Frame>,
-    /// How its times lie, where they do not meet those of the motion.
+    /// Its clock beside that of the motion.
     pub other_clock: Option<OtherClock>,
     /// What is added to them then, s, as it was said.
     pub clock_shift: Option<f64>,
@@ -107,7 +107,7 @@ impl Source {
     pub fn asks(&self) -> Vec<String> {
         let mut asks = self.asks_itself();
         if self.said_clock_shift().is_none() {
-            asks.extend(self.other_clock.map(|clock| clock.question()));
+            asks.extend(self.other_clock.and_then(|clock| clock.question()));
         }
         if self.said_frame().is_none() {
             asks.extend(self.beside.then(|| frames::BESIDE.to_string()));

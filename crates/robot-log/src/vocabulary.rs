@@ -57,11 +57,10 @@ const WAYS: [(&str, &str); 21] = [
     (
         "omega",
         "angular velocity z,angular z,rotation rate z,gyroscope z,gyro z,gyr z,gyroskop z,omega z,=wz,yaw rate,\
-         yawrate,yaw speed,yawspeed,yaw vel,yaw velocity,\
-         turn rate,heading rate,=omega,=ω,=w,omega,ω,drehrate,winkelgeschwindigkeit,\
-         gierrate,drehgeschwindigkeit,vitesse angulaire,vitesse rotation,vitesse lacet,taux lacet,velocidad angular,\
-         velocidad giro,velocita angolare,velocita rotazione,velocita imbardata,angular velocity,angular speed,\
-         angular,rotational,wz,gyro",
+         yawrate,yaw speed,yawspeed,yaw vel,yaw velocity,turn rate,heading rate,=omega,=ω,=w,omega,ω,drehrate,\
+         winkelgeschwindigkeit,gierrate,drehgeschwindigkeit,vitesse angulaire,vitesse rotation,vitesse lacet,\
+         taux lacet,velocidad angular,velocidad giro,velocita angolare,velocita rotazione,velocita imbardata,\
+         angular velocity,angular speed,angular,rotational,wz,gyro",
     ),
     (
         "v",
@@ -79,8 +78,9 @@ const WAYS: [(&str, &str); 21] = [
     ("barcode", "barcode,code"),
     (
         "landmark",
-        "landmark,beacon,buoy,anchor,tag,marker,feature,subject,=id,id,barcode,landmarke,bake,anker,balise,amer,ancre,\
-         boje,bouee,boya,baliza,ancla,boa,faro,ancora,=name,=label,=bezeichnung,=nom,=nombre,=nome",
+        "landmark,beacon,buoy,anchor,reflector,transponder,tag,marker,feature,subject,=id,id,barcode,landmarke,bake,\
+         anker,reflektor,balise,amer,ancre,reflecteur,boje,bouee,boya,baliza,ancla,boa,faro,ancora,riflettore,=name,\
+         =label,=bezeichnung,=nom,=nombre,=nome",
     ),
     ("landmark x", "landmark x,beacon x,anchor x,buoy x,marker x,feature x,bake x,anker x,boje x,lm x,=bx,=lx,=ax"),
     ("landmark y", "landmark y,beacon y,anchor y,buoy y,marker y,feature y,bake y,anker y,boje y,lm y,=by,=ly,=ay"),

@@ -26,6 +26,11 @@ export class Asking extends Player {
     return this.port.ask({ kind: 'table', params: this.asked ?? this.frame.params, table })
   }
 
+  /** Where the log began by its first readings, as they are read now. @returns {Promise<any>} */
+  opening() {
+    return this.port.ask({ kind: 'opening', params: this.asked ?? this.frame.params })
+  }
+
   /**
    * The σ and the delays under which the log's readings are likeliest, or only those of these names.
    * @param {{ only?: string[], from?: Record<string, unknown> }} [wish] `from`, settings for the search alone

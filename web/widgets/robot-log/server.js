@@ -9,6 +9,7 @@
  *   been read, what was said of them
  * - `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'`, or the log itself as `'log'`:
  *   `{ kind: 'table', text }`, a `Blob` of CSV, or `{ kind: 'no-table', message }`
+ * - `{ kind: 'opening', params }`: `{ kind: 'opening', found }`, where the log began
  * - `{ kind: 'fit', params, only }`, of the numbers of these names alone where some are given: `{ kind: 'fit', found }`
  *   or `{ kind: 'no-fit', message }`; on the way `{ kind: 'fitting', done, of }` is told; told
  *   `{ kind: 'stop-fit' }` it ends
@@ -101,6 +102,7 @@ export class Server {
   async answer(message) {
     const { kind, set, files, change } = message
     if (kind === 'table') return tableOf(this.module, this.log, message, this.soon)
+    if (kind === 'opening') return { kind, found: this.log.opening(message.params) }
     if (kind === 'map') return this.mapping.map(this.module, this.log, message)
     if (kind === 'fit') return this.fitting.fit(this.module, this.log, message)
     if (kind === 'verdict') return this.judging.judge(this.module, this.log, message.params)

@@ -69,11 +69,11 @@ const UNSOUGHT = ' A scale of the distances of O rows is not among them.'
 
 /** @param {LogJudgement} judgement @param {boolean} truth @param {Log | null} log */
 function sentences(judgement, truth, log) {
-  const { suspects, beside, pace, period } = judgement
+  const { suspects, beside, pace } = judgement
   const [, ...others] = suspects
   const [first, rival] = named(judgement, log)
   const told = (/** @type {Suspect} */ suspect) => {
-    const more = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : inPart(suspect, period)
+    const more = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : inPart(suspect, judgement)
     return `${sentence(suspect, truth, log)}${more && ` ${more}`}`
   }
   // A larger σ explains any error of the model, and with it this one gains less than the page's own sum shows.
@@ -133,10 +133,13 @@ function model(suspect, { period }) {
 }
 
 /**
- * What of a delay the motion model may have as its own: of one of a step or two, and of one that is told as well.
- * @param {Suspect} suspect @param {number} period
+ * What of a fault the motion model may have as its own: of a delay of a step or two, of one that is told as well, and
+ * of a turned camera.
+ * @param {Suspect} suspect @param {LogJudgement} judgement
  */
-function inPart({ fault, own, sizes: [size] }, period) {
+function inPart({ fault, own, name, sizes: [size] }, { period, halfTurn }) {
+  if (name === 'bearingOffset' && size.sigma !== null && Math.abs(halfTurn) > size.sigma / 2)
+    return `${fixed(halfTurn * DEGREES, 2)}° of that may be the motion model’s own, half of the turn of a step.`
   if (fault !== 'clock') return ''
   if (Math.abs(size.value - size.now) > 2 * period)
     return size.sigma !== null && size.sigma < period / 2
@@ -273,7 +276,8 @@ export function sentence(suspect, truth, log = null) {
   return `The ranges read ${offset(size)}: set their offset to ${digits(size)} m.`
 }
 
-const END = ' No longer delay was tried: the verdict after it goes on from there.'
+const END =
+  ' No longer delay was tried. Where a whole file has another clock, add the seconds to its times, among its columns.'
 const MOTION = ' That the motion is off by as much the other way would look the same.'
 
 /** Sensors that have one clock; or it is the motion's that is off the other way. @param {Suspect} suspect */

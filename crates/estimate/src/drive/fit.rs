@@ -6,9 +6,8 @@
 //! corner. The readings are the same ones in every replay: those stamped two seconds after the latest start that is
 //! tried. Where a gate is on, whatever its level, a reading that is likelier an outlier is taken for one, as a verdict
 //! takes it: a sum over used readings alone would reward refusal. A gate that refuses much where the search begins is
-//! off until the search has come to an end without it, since what it refuses need not be outliers. At last the search
-//! goes on with the other readings alone, of which it is asked, too, how well the log tells what was found: the
-//! likelihood of all has a step where one becomes an outlier.
+//! off until the search has ended without it, since what it refuses need not be outliers. At last the search goes on
+//! with the other readings alone, which tell the uncertainties too: of all it has a step where one becomes an outlier.
 
 use crate::drive::course::Course;
 use crate::drive::evidence::OUTLIER_GATE;
@@ -19,7 +18,7 @@ use crate::drive::gates::MUCH;
 use crate::drive::judgement::period;
 use crate::drive::likelihood::{beyond, with_outliers, without_outliers};
 use crate::drive::moves::Moves;
-use crate::drive::pace::pace;
+use crate::drive::pace::{half_turn, pace};
 use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::settings::Settings;
@@ -51,6 +50,7 @@ pub struct Fit {
     /// Where the search began, while gates are off until it ends without them.
     later: Option<Vec<f64>>,
     pace: f64,
+    half_turn: f64,
     period: f64,
     /// Readings stamped before are not counted.
     from: f64,
@@ -119,6 +119,7 @@ impl Fit {
             settings,
             later: None,
             pace: pace(drive, &settings),
+            half_turn: half_turn(drive),
             period: period(&drive.rows),
             from: start + SETTLED,
             numbers,
@@ -281,6 +282,7 @@ impl Fit {
             beyond: self.beyond,
             expected: EXPECTED,
             pace: self.pace,
+            half_turn: self.half_turn,
             period: self.period,
             flat: self.flat.clone().unwrap_or_default(),
         }

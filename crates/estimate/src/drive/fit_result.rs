@@ -27,6 +27,9 @@ pub struct FitResult {
     /// The mean distance of a second in which the robot drives, m: a σ of the distance that is a good part of it, in
     /// m/√s, is more than noise.
     pub pace: f64,
+    /// Half of the mean turn of a step between rows of motion, rad, counted by its distance. The filter drives each
+    /// step straight and turns then, and takes a sensor of bearings to be turned by so much.
+    pub half_turn: f64,
     /// The median time between rows of motion, s: a delay of at most half of it may be the motion model's own.
     pub period: f64,
     /// Delays of a log of odometry, from where to where its likelihood is the same.

@@ -52,6 +52,8 @@ pub struct Judgement {
     pub period: f64,
     /// The mean distance of a second in which the robot drives, m: what σ of the distance is to be held against.
     pub pace: f64,
+    /// As that of a [`FitResult`](super::FitResult), rad; 0 where the sizes are those of a robot that turns on its way.
+    pub half_turn: f64,
     /// What of the innovations does not look like noise, once all was looked at.
     pub noise: Noise,
     /// Where no motion was read: what is held there looks like a fault of the motion.
@@ -73,7 +75,8 @@ pub(crate) fn refuted(fault: Fault, before: &Against, after: &Against) -> bool {
 }
 
 /// By how much the readings of a round are likelier for a robot that turns on its way, where that is more than any
-/// suspect brings by itself, or more than chance once the likeliest, a clock, is mended: what is held puts that off.
+/// suspect brings by itself, or more than chance once the likeliest, a clock or a turned sensor, is mended: what is
+/// held puts the one off, and a robot that drives on before it turns looks like the other.
 pub(crate) fn turning(drive: &Drive, round: &Round, scope: &Scope) -> Option<f64> {
     let with = |place: &Trial, arcs| {
         let place = Trial { otherwise: Otherwise { arcs, ..place.otherwise }, ..*place };
@@ -86,9 +89,9 @@ pub(crate) fn turning(drive: &Drive, round: &Round, scope: &Scope) -> Option<f64
     if alone > found().map(|(suspect, _)| suspect.gain).fold(chance, f64::max) {
         return Some(alone);
     }
-    let (clock, mended) = found().find(|(suspect, _)| suspect.fault != Fault::Sigma)?;
+    let (first, mended) = found().find(|(suspect, _)| suspect.fault != Fault::Sigma)?;
     let more = with(mended, true)?.gain(&with(mended, false)?, 0);
-    (clock.fault == Fault::Clock && more > chance).then_some(more)
+    (matches!(first.fault, Fault::Clock | Fault::Turned) && more > chance).then_some(more)
 }
 
 /// What a reader has who mends no more than this: the robot turns where it does, and what is the model's own stays.

@@ -4,6 +4,8 @@
 //! place and heading are sought all over the landmarks, and are taken where no other place fits nearly as well.
 
 use super::opening::Opening;
+use super::opening_seen::{Seen, cost, weight};
+use super::opening_spread::spread as wide;
 use super::{Course, Drive, Event, Replay, Settings};
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
@@ -24,28 +26,15 @@ const WAYS: usize = 12;
 const BEST: usize = 4;
 /// How often one is improved.
 const ROUNDS: usize = 40;
-/// A residual of so many σ counts half: outliers do not draw the start to them.
-const HALF: f64 = 3.0;
 /// Readings that are so many times farther from the best start than they claim are of another world.
 const WORST: f64 = 3.0;
 /// A place that is known no better than to this part of the longest range is not known.
 const PART: f64 = 0.2;
-/// Readings that fit better than they claim tell the start better by this at most.
-const LEAST: f64 = 0.5;
 /// Another place is as likely where its readings are not e to this less likely.
 const CLEAR: f64 = 5.0;
 /// It is another place where it is so many standard deviations away, and so far, m and rad.
 const APART: f64 = 6.0;
 const FAR: f64 = 0.3;
-
-/// A reading beside where the motion alone leads from the origin along x: the landmark is at so far, by so many m.
-struct Seen {
-    reckoned: [f64; 3],
-    landmark: [f64; 2],
-    range: f64,
-    sigma: f64,
-    bearing: Option<[f64; 2]>,
-}
 
 /// A start, how badly the readings fit it, and how well they tell it.
 #[derive(Clone, Copy)]
@@ -90,44 +79,11 @@ impl Drive {
                 Event::RangeBearing { landmark, range, bearing } => (landmark, range, Some(bearing)),
                 _ => continue,
             };
-            let (at, pose) = (stretch.landmarks.get(landmark)?, replay.pose());
-            // What was reckoned is the less sure the farther the robot has driven.
-            let drifted = 0.5 * replay.place_covariance().trace();
-            let sigma = libm::sqrt(settings.sigma_range * settings.sigma_range + drifted);
-            let turned = replay.covariance().get((2, 2)).copied().unwrap_or(0.0);
-            let bearing =
-                bearing.map(|bearing| [bearing, libm::sqrt(settings.sigma_bearing * settings.sigma_bearing + turned)]);
-            let reckoned = [pose.x(), pose.y(), pose.theta()];
-            seen.push(Seen { reckoned, landmark: [at.x, at.y], range, sigma, bearing });
+            let at = stretch.landmarks.get(landmark)?;
+            seen.push(Seen::new([at.x, at.y], (range, bearing), &replay, settings));
         }
         (seen.len() > 3).then_some(seen)
     }
-}
-
-impl Seen {
-    /// What is measured less what is expected from a start, in standard deviations, each with its slope.
-    fn residuals(&self, pose: &Vector3<f64>) -> ([f64; 2], [Vector3<f64>; 2]) {
-        let (sin, cos) = libm::sincos(pose[2]);
-        let [rx, ry, turned] = self.reckoned;
-        // Where the robot was, and how that moves as the start turns.
-        let (across, along) = (cos * rx - sin * ry, sin * rx + cos * ry);
-        let (dx, dy) = (self.landmark[0] - pose[0] - across, self.landmark[1] - pose[1] - along);
-        let distance = libm::hypot(dx, dy).max(1e-6);
-        let (ux, uy) = (dx / distance, dy / distance);
-        let slope = Vector3::new(ux, uy, uy * across - ux * along) / self.sigma;
-        let of_range = (self.range - distance) / self.sigma;
-        let Some([bearing, sigma]) = self.bearing else { return ([of_range, 0.0], [slope, Vector3::zeros()]) };
-        let expected = libm::atan2(dy, dx) - pose[2] - turned;
-        let (px, py) = (-uy / distance, ux / distance);
-        let turning = Vector3::new(px, py, py * across - px * along + 1.0) / sigma;
-        ([of_range, wrap(bearing - expected) / sigma], [slope, turning])
-    }
-}
-
-/// How badly the readings fit a start: what their likelihood falls by.
-fn cost(seen: &[Seen], pose: &Vector3<f64>) -> f64 {
-    let far = |residual: f64| HALF * HALF * libm::log1p(residual * residual / (HALF * HALF));
-    seen.iter().map(|it| it.residuals(pose).0.map(far).iter().sum::<f64>()).sum::<f64>() * 0.5
 }
 
 /// The start that the readings fit best; `None` where another fits nearly as well.
@@ -170,7 +126,7 @@ fn improved(seen: &[Seen], mut pose: Vector3<f64>) -> Option<Found> {
         for it in seen {
             let (residuals, slopes) = it.residuals(&pose);
             for (residual, along) in residuals.into_iter().zip(slopes) {
-                let weight = 1.0 / (1.0 + residual * residual / (HALF * HALF));
+                let weight = weight(residual);
                 slope -= along * (weight * residual);
                 information += along * along.transpose() * weight;
             }
@@ -206,19 +162,17 @@ fn deviations(found: &Found) -> Option<Vector3<f64>> {
 
 /// The start as a filter takes it, which reads the same ranges again: it is told by half of them.
 fn opening(found: &Found, seen: &[Seen]) -> Option<Opening> {
-    let off = deviations(found)?;
     let outputs: usize = seen.iter().map(|it| 1 + usize::from(it.bearing.is_some())).sum();
     let spread = libm::sqrt(2.0 * found.cost / outputs.saturating_sub(3).max(1) as f64);
     if spread > WORST {
         return None;
     }
-    // Where σ is set larger than it is, its readings fit better than they claim, and tell the start as much better.
-    let wider = spread.max(LEAST) * core::f64::consts::SQRT_2;
-    let sigma = wider * off[0].max(off[1]);
+    let off = wide(found.information, &found.pose, seen, spread)? * core::f64::consts::SQRT_2;
+    let sigma = off[0].max(off[1]);
     let reach = seen.iter().map(|it| it.range).fold(0.0, f64::max);
     if sigma > PART * reach {
         return None;
     }
     let pose = [found.pose[0], found.pose[1], found.pose[2]];
-    Some(Opening { pose, sigma, sigma_heading: (wider * off[2]).min(PI) })
+    Some(Opening { pose, sigma, sigma_heading: off[2].min(PI) })
 }

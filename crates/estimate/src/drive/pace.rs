@@ -3,23 +3,42 @@
 use crate::drive::row::{Drive, Event};
 use crate::drive::settings::Settings;
 
-/// The mean distance of a second in which the robot drives, m, by what is read and its scale; 0 where it never does.
-pub(crate) fn pace(drive: &Drive, settings: &Settings) -> f64 {
-    let (mut way, mut driven, mut held, mut last) = (0.0, 0.0, 0.0_f64, None);
-    for row in &drive.rows {
-        let (next, gone): (f64, Option<f64>) = match row.event {
-            Event::Odometry { distance, .. } => (0.0, Some(distance)),
-            Event::Velocity { v, .. } | Event::Speed { v } => (v, None),
-            _ => continue,
+/// A step between rows of motion: how long it took, and how far the robot went and turned on it, as it is read.
+struct Step {
+    dt: f64,
+    distance: f64,
+    turn: f64,
+}
+
+fn steps(drive: &Drive) -> impl Iterator<Item = Step> {
+    let (mut held, mut last) = ([0.0; 2], None);
+    drive.rows.iter().filter_map(move |row| {
+        let (next, gone) = match row.event {
+            Event::Odometry { distance, turn } => ([0.0; 2], Some([distance, turn])),
+            Event::Velocity { v, omega } => ([v, omega], None),
+            Event::Speed { v } => ([v, held[1]], None),
+            Event::TurnRate { omega } => ([held[0], omega], None),
+            _ => return None,
         };
         let dt = row.time - last.unwrap_or(row.time);
-        let distance = gone.unwrap_or(held * dt).abs();
-        if distance > 0.0 && dt > 0.0 {
-            (way, driven) = (way + distance, driven + dt);
-        }
+        let [distance, turn] = gone.unwrap_or(held.map(|rate| rate * dt));
         (held, last) = (next, Some(row.time));
-    }
-    if driven > 0.0 { (1.0 + settings.speed_scale) * way / driven } else { 0.0 }
+        Some(Step { dt, distance, turn })
+    })
+}
+
+/// The mean distance of a second in which the robot drives, m, by what is read and its scale; 0 where it never does.
+pub(crate) fn pace(drive: &Drive, settings: &Settings) -> f64 {
+    let driven = steps(drive).filter(|step| step.distance != 0.0 && step.dt > 0.0);
+    let (way, time) = driven.fold((0.0, 0.0), |(way, time), step| (way + step.distance.abs(), time + step.dt));
+    if time > 0.0 { (1.0 + settings.speed_scale) * way / time } else { 0.0 }
+}
+
+/// Half of the mean turn of a step, rad, counted by its distance; 0 where the robot never drives.
+pub(crate) fn half_turn(drive: &Drive) -> f64 {
+    let sum = |(way, turned), Step { distance, turn, .. }: Step| (way + distance.abs(), turned + distance.abs() * turn);
+    let (way, turned) = steps(drive).fold((0.0, 0.0), sum);
+    if way > 0.0 { 0.5 * turned / way } else { 0.0 }
 }
 
 #[cfg(test)]
@@ -46,5 +65,18 @@ mod tests {
         assert!((paced(Motion::Odometry, &[o(0.0), o(0.3), o(0.0), o(-0.5)], Settings::default()) - 0.8).abs() < 1e-12);
         assert_eq!(paced(Motion::Velocity, &[v(0.0), v(0.0)], Settings::default()), 0.0);
         assert_eq!(paced(Motion::Velocity, &[], Settings::default()), 0.0);
+    }
+
+    #[test]
+    fn half_a_turn_is_counted_by_the_way_of_its_step() {
+        let half = |motion, events: &[Event]| {
+            let rows = events.iter().enumerate().map(|(k, event)| Row::new(0.5 * k as f64, *event)).collect();
+            half_turn(&Drive { landmarks: Vec::new(), truth: Truth::default(), rows, motion })
+        };
+        let o = |distance, turn| Event::Odometry { distance, turn };
+        assert!((half(Motion::Odometry, &[o(0.3, 0.1), o(-0.1, 0.3), o(0.0, 9.0)]) - 0.075).abs() < 1e-12);
+        let v = |v, omega| Event::Velocity { v, omega };
+        assert!((half(Motion::Velocity, &[v(1.0, 0.2), v(0.0, 5.0), v(1.0, 0.0)]) - 0.05).abs() < 1e-12);
+        assert_eq!(half(Motion::Velocity, &[v(0.0, 1.0), v(0.0, 1.0)]), 0.0);
     }
 }

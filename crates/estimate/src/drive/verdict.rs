@@ -24,7 +24,7 @@ use crate::drive::gaps::{Gaps, gaps};
 use crate::drive::gates::Gates;
 use crate::drive::judgement::{Judgement, as_mended, is_own, may_be_own, period, refuted, stairs, turning};
 use crate::drive::noise::{Noise, noise};
-use crate::drive::pace::pace;
+use crate::drive::pace::{half_turn, pace};
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
 use crate::drive::settings::Settings;
@@ -81,6 +81,7 @@ pub struct Verdict {
     before: u32,
     period: f64,
     pace: f64,
+    half_turn: f64,
     gaps: Vec<Gaps>,
     other: bool,
     noise: Noise,
@@ -139,6 +140,7 @@ impl Verdict {
             before: 0,
             period: period(judged),
             pace: pace(drive, &settings),
+            half_turn: half_turn(drive),
             gaps: gaps(judged, drive.motion),
             other: false,
             noise: Noise::default(),
@@ -275,6 +277,7 @@ impl Verdict {
             arcs: self.arcs,
             period: self.period,
             pace: self.pace,
+            half_turn: if self.arcs.is_none() { self.half_turn } else { 0.0 },
             noise: self.noise,
             gaps: self.gaps.clone(),
             other: self.other,
