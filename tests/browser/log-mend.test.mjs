@@ -6,11 +6,11 @@ import { frameOf, until } from './harness.mjs'
 import { file, openLog } from './own-log.mjs'
 
 /**
- * A circle among three landmarks; ranges have an error of about 0.2 m.
+ * A circle among three landmarks; ranges have an error of about 0.2 m, or of another size.
  * @param {string} name @param {number} count of rows of motion @param {number[]} off how far beside its place the
- * second landmark is written @param {string[]} more rows
+ * second landmark is written @param {string[]} more rows @param {number} error the most that a range is off, m
  */
-function circle(name, count, [right, up] = [0, 0], more = []) {
+function circle(name, count, [right, up] = [0, 0], more = [], error = 0.3) {
   const places = [
     [0, 0],
     [20, 2],
@@ -22,7 +22,7 @@ function circle(name, count, [right, up] = [0, 0], more = []) {
     const [x, y] = [10 + 5 * Math.sin(0.2 * t), 12 - 5 * Math.cos(0.2 * t)]
     rows.push(`V,${t},1,0.2`)
     const [px, py] = places[k % 3]
-    if (k % 2 === 0) rows.push(`R,${t},${(k % 3) + 1},${Math.hypot(px - x, py - y) + 0.3 * Math.sin(7.3 * k * k)}`)
+    if (k % 2 === 0) rows.push(`R,${t},${(k % 3) + 1},${Math.hypot(px - x, py - y) + error * Math.sin(7.3 * k * k)}`)
   }
   return file(name, [...rows, ...more].join('\n'))
 }
@@ -79,8 +79,8 @@ test('a landmark that stands elsewhere is taken there at a press, and where its 
 test('a start that the verdict names is set at a press, and undone at another', async (t) => {
   const { page, it, choose } = await openLog(t, { viewport: { width: 1440, height: 900 } })
   assert.equal(await page.locator('.log-mend').isVisible(), false, 'nothing is named of the log that the page brings')
-  // Begun far from where the filter starts, and so long that a verdict takes several frames.
-  await choose(circle('circle.csv', 2000))
+  // Begun far from where the filter starts, its σ right, and so long that a verdict takes several frames.
+  await choose(circle('circle.csv', 2000, [0, 0], [], 0.85))
   // The first ranges say where it began.
   const { params: opened } = await until(it, (frame) => frame.params.start && frame.judgement, 'the start of the log')
   assert.ok(Math.hypot(opened.start[0] - 10, opened.start[1] - 7) < 0.5, String(opened.start))

@@ -94,3 +94,25 @@ test('the answers to what positions are stand beside the question, and what is n
   assert.equal(await page.locator('.log-choices').count(), 0)
   assert.equal(await page.locator('.log-unread').innerText(), 'Not read: temp.')
 })
+
+test('a clock that is an hour off is asked beside its answers, and of any file the seconds may be typed', async (t) => {
+  const { page, it } = await openLog(t)
+  const gps = Array.from({ length: 60 }, (_, i) => `${3600 + i},${i},0\n`).join('')
+  await drop(page, [
+    ['wheels.csv', table(61)],
+    ['gps.csv', `time,gps_x,gps_y\n${gps}`],
+  ])
+  await page.locator('select[data-key="1 read as"]').selectOption('sensors')
+  await page.locator('.log-file.asks').filter({ hasText: 'Its times begin 3540.0 s after the motion ends' }).waitFor()
+  await page.getByLabel('its clock').selectOption({ label: 'of another zone: 1 hour is taken off' })
+  await until(it, ({ rows, log }) => rows === 121 && log.readings.fix === 60, 'the log with its fixes')
+  assert.equal(await page.locator('.log-file.asks').count(), 0)
+  // What was added stays to be changed; a number that is none is refused where it stands.
+  const typed = page.getByLabel('or seconds that are added to its times')
+  await typed.fill('soon')
+  await typed.press('Tab')
+  assert.equal(await typed.getAttribute('aria-invalid'), 'true')
+  await typed.fill('−3598,5')
+  await typed.press('Tab')
+  await page.getByLabel('its clock').filter({ hasText: 'its own: −3598.5 s are added' }).waitFor()
+})
