@@ -16,10 +16,20 @@ struct Made<'a> {
     sigma: f64,
     long: f64,
     bearings: bool,
+    /// The noise of the turn rate, rad/s in each step of 0.1 s.
+    drift: f64,
 }
 
-const USUAL: Made<'_> =
-    Made { landmarks: &SQUARE, start: [5.0, 5.0, 0.7], v: 0.5, omega: 0.2, sigma: 0.1, long: 0.0, bearings: false };
+const USUAL: Made<'_> = Made {
+    landmarks: &SQUARE,
+    start: [5.0, 5.0, 0.7],
+    v: 0.5,
+    omega: 0.2,
+    sigma: 0.1,
+    long: 0.0,
+    bearings: false,
+    drift: 0.005,
+};
 
 impl Made<'_> {
     fn drive(&self, seed: &mut u64) -> Drive {
@@ -30,7 +40,7 @@ impl Made<'_> {
         for k in 0..600_usize {
             let time = k as f64 * dt;
             let turned = self.omega * libm::cos(0.3 * time);
-            let (v, omega) = (self.v + 0.02 * normal(seed), turned + 0.005 * normal(seed));
+            let (v, omega) = (self.v + 0.02 * normal(seed), turned + self.drift * normal(seed));
             rows.push(Row::new(time, Event::Velocity { v: self.v, omega: turned }));
             if k % 2 == 0 {
                 let landmark = (k / 2) % landmarks.len();
@@ -79,6 +89,40 @@ fn ranges_to_four_landmarks_tell_where_a_drive_began_wherever_that_is() {
             assert!(opening.sigma < 2.0 && opening.sigma_heading < 0.3, "{i}: {opening:?}");
         }
     }
+}
+
+/// One by one the readings would tell the heading to a third of what it is off by: each has the drift of all before it.
+#[test]
+fn what_the_motion_has_drifted_is_counted_as_one_error_that_goes_on() {
+    let mut seed = 11;
+    let made = Made { bearings: true, drift: 0.15, ..USUAL };
+    // In a second it drifts by 0.15 rad/s 0.1 s √10.
+    let settings = Settings { sigma_range: 0.1, sigma_bearing: 0.05, sigma_turn: 0.047, ..Settings::default() };
+    let mut sum = 0.0;
+    for _ in 0..60 {
+        let opening = made.drive(&mut seed).opening(&settings).expect("four landmarks tell it");
+        let off = wrap(opening.pose[2] - made.start[2]) / opening.sigma_heading;
+        sum += off * off;
+    }
+    // Its σ is √2 times as large, as the filter reads the same readings again.
+    let rms = libm::sqrt(sum / 60.0);
+    assert!((0.5..0.9).contains(&rms), "{rms}");
+}
+
+/// Offsets and a scale that are set are taken off before.
+#[test]
+fn a_start_is_told_by_ranges_and_bearings_as_the_settings_read_them() {
+    let mut drive = Made { bearings: true, ..USUAL }.drive(&mut 13);
+    for row in &mut drive.rows {
+        if let Event::RangeBearing { range, bearing, .. } = &mut row.event {
+            (*range, *bearing) = (1.05 * *range + 0.4, *bearing + 0.3);
+        }
+    }
+    let set = Settings { scale: 0.05, offset: 0.4, bearing_offset: 0.3, ..Settings::default() };
+    let opening = drive.opening(&set).expect("four landmarks tell it");
+    assert!(off(&opening, USUAL.start) < 3.0, "{opening:?}");
+    let unset = drive.opening(&Settings::default());
+    assert!(unset.is_none_or(|it| wrap(it.pose[2] - USUAL.start[2]).abs() > 0.2), "{unset:?}");
 }
 
 #[test]
