@@ -13,7 +13,7 @@ import {
 } from '../../web/page/log-fit-words.js'
 import { judgement, suspect } from './verdicts.mjs'
 
-const MOTION = { pace: 1, period: 0.1 }
+const MOTION = { pace: 1, period: 0.1, ownDelay: 0.05 }
 
 test('what a fit has found has as many digits as it is known to', () => {
   const number = (name, value, sigma, relative = false) => fitted({ name, value, sigma, relative, flat: null }, MOTION)
@@ -32,9 +32,9 @@ test('what a fit has found has as many digits as it is known to', () => {
   assert.doesNotMatch(fitted(turned, { ...MOTION, halfTurn: 0.0002 }), /own/)
   const stair = fitted({ name: 'delayFix', value: 0.317, sigma: 0.025, relative: false, flat: [0.3, 0.4] }, MOTION)
   const short = { name: 'delaySighting', value: -0.0108, sigma: 0.0023, relative: false, flat: null }
-  const own = /: −0\.0108 ± 0\.0023: less than half a step of 0\.100 s .* the motion model’s own, and not taken$/
+  const own = /: −0\.0108 ± 0\.0023: less than half a step between rows of motion, 0\.05 s, .* own, and not taken$/
   assert.match(fitted(short, MOTION), own)
-  assert.deepEqual([isOfModel(short, 0.1), isOfModel(short, 0.02)], [true, false])
+  assert.deepEqual([isOfModel(short, 0.05), isOfModel(short, 0.01)], [true, false])
   // What is late against another is told: short delays beside a longer one are taken with it.
   const late = { ...short, name: 'delayFix', value: 0.42 }
   assert.deepEqual([delaysAreOfModel([short], 0.1), delaysAreOfModel([short, late], 0.1)], [true, false])
@@ -88,7 +88,7 @@ test('what a fit tells by less than twice its ± from what is set stays, and a �
 test('a delay that its ± tells less well than the rows of motion has its ±', () => {
   /** @type {import('estimate-wasm').LogFound['numbers'][number]} */
   const number = { name: 'delayFix', value: 0.65, relative: false, sigma: 0.04, flat: [0.64, 0.66] }
-  const motion = { pace: 1, period: 0 }
+  const motion = { pace: 1, period: 0.1, ownDelay: 0 }
   assert.match(fitted(number, motion), /^delay of the positions, s: 0\.650 ± 0\.040$/)
   assert.match(fitted({ ...number, sigma: 0.005 }, motion), /0\.64 to 0\.66, all alike/)
   assert.match(fitted({ ...number, sigma: null }, motion), /0\.64 to 0\.66, all alike/)

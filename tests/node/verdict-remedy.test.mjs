@@ -250,3 +250,24 @@ test('a delay beyond all that are tried is set once, and then it is a file’s c
   const told = suspect({ fault: 'clock', name: 'delayFix', sizes: [{ now: 3, value: 5.2, sigma: 0.1, end: false }] })
   assert.deepEqual(remedy(told, { ...params, delayFix: 3 }, false)?.patch, { delayFix: 5.2 })
 })
+
+test('what may be no fault has no press, and stands behind what is one', () => {
+  const late = suspect({
+    fault: 'clock',
+    name: 'delayFix',
+    standing: 'maybe',
+    own: true,
+    excess: 6,
+    sizes: [size(0.04)],
+  })
+  assert.deepEqual(remedies(judgement([late]), frame), [])
+  const noise = suspect({ fault: 'sigma', name: 'sigmaFix', standing: 'maybe', excess: 4, sizes: [size(0.3, 0.01, 1)] })
+  const both = judgement([late, noise])
+  assert.deepEqual(named(both), [noise])
+  assert.deepEqual(
+    remedies(both, frame).map(({ patch }) => patch),
+    [{ sigmaFix: 0.3 }],
+  )
+  // What was held against the truth, and is not the first, mends nothing.
+  assert.deepEqual(named(judgement([late, { ...noise, mended: { rmse: 1, nees: 2, outside: 0 } }])), [late])
+})

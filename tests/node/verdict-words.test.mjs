@@ -189,24 +189,32 @@ test('a turned compass, turns of the wrong sign, and scale and offset together h
 
 test('what is the motion model’s own is said, and is no fault', () => {
   const own = suspect({ standing: 'cleared', own: true, sizes: [{ now: 0, value: -0.021, sigma: 0.009 }] })
-  const said = ranked(judgement([suspect({ standing: 'cleared' }), own], { arcs: 171.24, period: 0.5 }), log)
+  const said = ranked(
+    judgement([suspect({ standing: 'cleared' }), own], { arcs: 171.24, period: 0.5, ownDelay: 0.25 }),
+    log,
+  )
   assert.match(
     said,
     /^No fault: of the 2 .* than chance does, but for what may be the motion model’s own\. The positions come/,
   )
   assert.match(
     said,
-    /come 0\.0210 ± 0\.0090 s early: less than half a step of 0\.5 s between rows of motion\. That may be the/,
+    /come 0\.0210 ± 0\.0090 s early: less than half a step between rows of motion, 0\.25 s\. That may be the/,
   )
   const longer = suspect({ standing: 'cleared', own: true, sizes: [{ now: 0, value: -0.4, sigma: 0.09 }] })
   assert.match(
-    ranked(judgement([suspect({ standing: 'cleared' }), longer], { period: 0.5 }), log),
-    /come 0\.400 ± 0\.090 s early, which makes the readings no likelier than half a step of 0\.5 s between rows/,
+    ranked(judgement([suspect({ standing: 'cleared' }), longer], { period: 0.5, ownDelay: 0.5 }), log),
+    /come 0\.400 ± 0\.090 s early: less than a step between rows of motion, 0\.5 s\. That/,
   )
   const doubtful = suspect({ standing: 'maybe', own: true, sizes: [{ now: 0, value: -0.6, sigma: 0.1 }] })
   assert.match(
-    ranked(judgement([doubtful], { period: 0.5 }), log),
-    /^Perhaps: .* 0\.25 s of it, may be the motion model’s own, and chance explains .* it may be no fault\./,
+    ranked(judgement([doubtful], { period: 0.5, ownDelay: 0.5 }), log),
+    /^Perhaps: .* Of it a step between rows of motion, 0\.5 s, may be the motion model’s own, and .* be no fault\./,
+  )
+  const short = suspect({ standing: 'maybe', own: true, sizes: [{ now: 0, value: -0.4, sigma: 0.1 }] })
+  assert.match(
+    ranked(judgement([short], { period: 0.5, ownDelay: 0.5 }), log),
+    / All of it, less than a step between rows of motion, 0\.5 s, may be the motion model’s own, and chance /,
   )
   assert.match(
     said,
@@ -279,10 +287,10 @@ test('a start is said with how well it is known, and far from its origin with it
 
 test('of a delay of a step or two half a step may be the motion model’s own, and that is said', () => {
   const late = (/** @type {number} */ value) => suspect({ sizes: [{ now: 0, value, sigma: 0.0093, end: false }] })
-  const said = (/** @type {number} */ value) => ranked(judgement([late(value)], { period: 0.05 }), log)
+  const said = (/** @type {number} */ value) => ranked(judgement([late(value)], { period: 0.05, ownDelay: 0.025 }), log)
   assert.match(
     said(-0.0511),
-    /set the delay to .*\. Half a step between rows of motion, 0\.025 s of it, may be the motion/,
+    /set the delay to .*\. Of it half a step between rows of motion, 0\.025 s, may be the motion/,
   )
-  assert.doesNotMatch(said(0.35), /Half a step/)
+  assert.doesNotMatch(said(0.35), /Of it half a step/)
 })

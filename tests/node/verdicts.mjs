@@ -30,6 +30,7 @@ export const judgement = (suspects, more) => ({
   beside: false,
   arcs: null,
   period: 0.1,
+  ownDelay: 0.05,
   pace: 1.5,
   halfTurn: 0,
   noise: { nis: null, refused: null, correlated: null },

@@ -1,7 +1,7 @@
 /** What a fit of a log has found, in words, and what of it is taken. */
 
 import { fixed } from '../draw/numbers.js'
-import { isStair } from '../widgets/robot-log/sized.js'
+import { isStair, ownStep } from '../widgets/robot-log/sized.js'
 import { hides } from '../widgets/robot-log/sigmas.js'
 import { likeliest, named } from '../widgets/robot-log/named.js'
 import { kind } from '../widgets/robot-log/verdict.js'
@@ -85,10 +85,10 @@ export function bentBy({ beyond, expected, readings, outliers }) {
 /**
  * Whether a delay is so short that it may be the motion model’s own, which holds what it reads for a step: it is not
  * taken.
- * @param {LogFound['numbers'][number]} number @param {number} period seconds between rows of motion
+ * @param {LogFound['numbers'][number]} number @param {number} ownDelay how long it may be then, seconds
  */
-export function isOfModel({ name, value, flat }, period) {
-  return name.startsWith('delay') && !flat && Math.abs(value) <= period / 2
+export function isOfModel({ name, value, flat }, ownDelay) {
+  return name.startsWith('delay') && !flat && Math.abs(value) <= ownDelay
 }
 
 /**
@@ -131,19 +131,19 @@ export const BENT = ': bent by outliers, and not taken'
 /**
  * Whether all delays may be the motion model’s own. Only what sensors are late against one another is told: where
  * one is longer, all are taken, as they were found together.
- * @param {LogFound['numbers']} numbers @param {number} period
+ * @param {LogFound['numbers']} numbers @param {number} ownDelay
  */
-export function delaysAreOfModel(numbers, period) {
-  return numbers.every((number) => !number.name.startsWith('delay') || isOfModel(number, period))
+export function delaysAreOfModel(numbers, ownDelay) {
+  return numbers.every((number) => !number.name.startsWith('delay') || isOfModel(number, ownDelay))
 }
 
 /**
  * How well the log tells a number, and what may hide in it.
  * @param {LogFound['numbers'][number]} number
- * @param {{ pace: number, period: number, halfTurn?: number }} motion metres driven in a second, seconds between its
- * rows, 0 where no delay is the model’s own, and half the mean turn of a step
+ * @param {{ pace: number, period: number, ownDelay: number, halfTurn?: number }} motion metres driven in a second,
+ * seconds between its rows and of a delay that is the model’s own, 0 where none is, and half the mean turn of a step
  */
-export function sentence(number, { pace, period, halfTurn = 0 }) {
+export function sentence(number, { pace, period, ownDelay, halfTurn = 0 }) {
   const { name, value, relative, sigma, flat } = number
   const words = NAMES[name] ?? name
   if (flat && isStair(flat, sigma))
@@ -155,9 +155,8 @@ export function sentence(number, { pace, period, halfTurn = 0 }) {
   const more = name === 'sigmaDistance' ? hides(value, pace) : ''
   if (relative)
     return `${words}: ${fixed(value, digits)} ± ${fixed(100 * sigma, sigma < 0.1 ? 1 : 0)} %${more && `. ${more}`}`
-  const own = isOfModel(number, period)
-    ? `: less than half a step of ${fixed(period, 3)} s between rows of motion, ` +
-      'which may be the motion model’s own, and not taken'
+  const own = isOfModel(number, ownDelay)
+    ? `: less than ${ownStep({ period, ownDelay })}, which may be the motion model’s own, and not taken`
     : ''
   const half = halfTurn * unit
   const turns =

@@ -118,7 +118,7 @@ export class FitForm {
 
   /** @param {LogFound} found */
   found(found) {
-    const { numbers, pace, period, halfTurn } = found
+    const { numbers, pace, period, ownDelay, halfTurn } = found
     const { result } = this
     if (!result) return
     this.of = JSON.stringify(this.params)
@@ -126,13 +126,13 @@ export class FitForm {
     const bent = bentBy(found)
     if (bent) part(document, result, 'p', '').textContent = bent
     const list = part(document, result, 'ul', '')
-    const own = delaysAreOfModel(numbers, period)
-    const motion = { pace, period: own ? period : 0, halfTurn }
+    const own = delaysAreOfModel(numbers, ownDelay)
+    const motion = { pace, period, ownDelay: own ? ownDelay : 0, halfTurn }
     const stays = (/** @type {LogFound['numbers'][number]} */ number) =>
       number.sigma === null ? '' : bent ? BENT : whyAsSet(number, this.params ?? {}, this.staying?.(number.name) ?? '')
     for (const number of numbers)
       part(document, list, 'li', '').textContent = `${sentence(number, motion)}${stays(number)}`
-    const taken = numbers.filter((one) => one.sigma !== null && !isOfModel(one, motion.period) && !stays(one))
+    const taken = numbers.filter((one) => one.sigma !== null && !isOfModel(one, motion.ownDelay) && !stays(one))
     const patch = rounded(taken)
     if (Object.keys(patch).length === 0) return
     const actions = part(document, result, 'div', 'log-actions')

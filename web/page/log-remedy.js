@@ -115,7 +115,8 @@ export function remedy(suspect, params, truth, log = null) {
  * @returns {Remedy[]}
  */
 export function remedies(judgement, { params, truth, log, known = [] }) {
-  const suspects = judgement ? [...named(judgement, log), ...likeliest(judgement)] : []
+  // What may be no fault has no press.
+  const suspects = judgement ? [...named(judgement, log), ...likeliest(judgement)].filter(({ own }) => !own) : []
   const together = judgement ? unsettled(judgement, params, known) : []
   if (together.length > 1) return [{ press: `Fit ${counted(together)} σ`, fit: together }]
   const all = suspects.map((suspect) => remedy(suspect, params, Boolean(truth), log))

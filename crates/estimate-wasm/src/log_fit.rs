@@ -43,8 +43,10 @@ export interface LogFound {
     pace: number;
     /** Half of the mean turn of a step, radians: by so much the filter takes a sensor of bearings to be turned. */
     halfTurn: number;
-    /** The median time between rows of motion, seconds: a delay of at most half of it may be the motion model's own. */
+    /** The median time between rows of motion, seconds. */
     period: number;
+    /** A delay of at most this may be the motion model's own, seconds: half of that, or all of it. */
+    ownDelay: number;
 }
 "#;
 
@@ -114,5 +116,6 @@ fn shown(found: &FitResult) -> JsValue {
         ("pace", found.pace.into()),
         ("halfTurn", found.half_turn.into()),
         ("period", found.period.into()),
+        ("ownDelay", found.own_delay.into()),
     ])
 }

@@ -117,6 +117,8 @@ export interface LogJudgement {
     arcs: number | null;
     /** The median time between rows of motion, seconds. */
     period: number;
+    /** A delay of at most this may be the motion model's own, seconds: half of that, or all of it. */
+    ownDelay: number;
     /** The mean distance of a second in which the robot drives, metres. */
     pace: number;
     /**
@@ -181,6 +183,7 @@ fn shown(judgement: &Judgement) -> JsValue {
         ("beside", judgement.beside.into()),
         ("arcs", judgement.arcs.map_or(JsValue::NULL, Into::into)),
         ("period", judgement.period.into()),
+        ("ownDelay", judgement.own_delay.into()),
         ("pace", judgement.pace.into()),
         ("halfTurn", judgement.half_turn.into()),
         ("noise", noise(&judgement.noise)),

@@ -19,12 +19,21 @@ const mended = (fault, log) =>
   (fault === 'displaced' ? log?.corrections?.landmarks : fault === 'landmark-bias' ? log?.corrections?.ranges : null) ??
   []
 
+/** What may be no fault stands behind one that is. @param {Suspect[]} suspects */
+function sureBefore(suspects) {
+  const is = suspects[0].own
+    ? suspects.find(({ standing, own, mended }) => standing !== 'cleared' && !own && !mended)
+    : undefined
+  return is ? [is, ...suspects.filter((one) => one !== is)] : suspects
+}
+
 /**
  * The faults that a judgement names: none, one, or two where the readings do not tell which it is.
  * @param {LogJudgement} judgement @param {Log | null} [log]
  */
-export function named({ suspects: [first, ...others], other }, log = null) {
-  if (!first || first.standing === 'cleared' || other) return []
+export function named({ suspects, other }, log = null) {
+  if (!suspects[0] || suspects[0].standing === 'cleared' || other) return []
+  const [first, ...others] = sureBefore(suspects)
   if (first.standing === 'sure') return [first]
   // What was held against the truth, and is not the first, mends nothing; what may be no fault is none to choose.
   const rival = others.find(

@@ -38,3 +38,10 @@ export const claimed = (value) => String(Number(value.toPrecision(3)))
 
 /** A time, with the digits that matter. @param {number} seconds */
 export const brief = (seconds) => String(Number(seconds.toPrecision(2)))
+
+/**
+ * What of a delay the motion model may have as its own, in words.
+ * @param {{ period: number, ownDelay: number }} found seconds between rows of motion, and of that delay
+ */
+export const ownStep = ({ period, ownDelay }) =>
+  `${ownDelay < period ? 'half a step' : 'a step'} between rows of motion, ${brief(ownDelay)} s`

@@ -7,7 +7,7 @@ import { READINGS, noisy } from './noise.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { hides, sigmaKind, sigmaSentence, withoutOutliers } from './sigmas.js'
 import { biased, displaced, exchanged } from './misplaced.js'
-import { brief, claimed, digits, isStair, plusMinus } from './sized.js'
+import { brief, claimed, digits, isStair, ownStep, plusMinus } from './sized.js'
 import { startSentence } from './start.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
@@ -119,13 +119,13 @@ function foreign({ suspects, ungated, against }, truth, log) {
   )
 }
 
-/** A delay that half a step explains. @param {Suspect} suspect @param {LogJudgement} judgement */
-function model(suspect, { period }) {
+/** A delay that the motion model’s own explains. @param {Suspect} suspect @param {LogJudgement} judgement */
+function model(suspect, judgement) {
   const [size] = suspect.sizes
   const off = size.value - size.now
-  const step = `half a step of ${brief(period)} s between rows of motion`
+  const step = ownStep(judgement)
   const said =
-    Math.abs(off) > period / 2 ? `, which makes the readings no likelier than ${step}` : `: less than ${step}`
+    Math.abs(off) > judgement.ownDelay ? `, which makes the readings no likelier than ${step}` : `: less than ${step}`
   return (
     `${late(suspect, off)}${said}. ` +
     'That may be the motion model’s own, which holds what it reads for a step, drives it straight and turns then.'
@@ -137,17 +137,18 @@ function model(suspect, { period }) {
  * of a turned camera.
  * @param {Suspect} suspect @param {LogJudgement} judgement
  */
-function inPart({ fault, own, name, sizes: [size] }, { period, halfTurn }) {
+function inPart({ fault, own, name, sizes: [size] }, { period, ownDelay, halfTurn }) {
   if (name === 'bearingOffset' && size.sigma !== null && Math.abs(halfTurn) > size.sigma / 2)
     return `${fixed(halfTurn * DEGREES, 2)}° of that may be the motion model’s own, half of the turn of a step.`
   if (fault !== 'clock') return ''
+  const step = ownStep({ period, ownDelay })
   if (Math.abs(size.value - size.now) > 2 * period)
-    return size.sigma !== null && size.sigma < period / 2
-      ? `It may be half a step between rows of motion, ${brief(period / 2)} s, longer or shorter: that is the motion ` +
-          'model’s own.'
+    return size.sigma !== null && size.sigma < ownDelay
+      ? `It may be ${step}, longer or shorter: that is the motion model’s own.`
       : ''
-  const half = `Half a step between rows of motion, ${brief(period / 2)} s of it, may be the motion model’s own`
-  return own ? `${half}, and chance explains what is left nearly as well: it may be no fault.` : `${half}.`
+  const much = Math.abs(size.value - size.now) > ownDelay ? `Of it ${step},` : `All of it, less than ${step},`
+  const part = `${much} may be the motion model’s own`
+  return own ? `${part}, and chance explains what is left nearly as well: it may be no fault.` : `${part}.`
 }
 
 /** What a robot that turns on its way would bring. @param {LogJudgement} judgement */

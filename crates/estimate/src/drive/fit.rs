@@ -15,10 +15,9 @@ use crate::drive::fit_result::FitResult;
 use crate::drive::fitted::Fitted;
 use crate::drive::flat::flat;
 use crate::drive::gates::MUCH;
-use crate::drive::judgement::period;
 use crate::drive::likelihood::{beyond, with_outliers, without_outliers};
 use crate::drive::moves::Moves;
-use crate::drive::pace::{half_turn, pace};
+use crate::drive::pace::Paced;
 use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::settings::Settings;
@@ -49,9 +48,7 @@ pub struct Fit {
     settings: Settings,
     /// Where the search began, while gates are off until it ends without them.
     later: Option<Vec<f64>>,
-    pace: f64,
-    half_turn: f64,
-    period: f64,
+    paced: Paced,
     /// Readings stamped before are not counted.
     from: f64,
     numbers: Vec<Fitted>,
@@ -118,9 +115,7 @@ impl Fit {
         let mut fit = Self {
             settings,
             later: None,
-            pace: pace(drive, &settings),
-            half_turn: half_turn(drive),
-            period: period(&drive.rows),
+            paced: Paced::new(drive, &settings),
             from: start + SETTLED,
             numbers,
             at,
@@ -281,9 +276,10 @@ impl Fit {
             settled: self.settled,
             beyond: self.beyond,
             expected: EXPECTED,
-            pace: self.pace,
-            half_turn: self.half_turn,
-            period: self.period,
+            pace: self.paced.pace,
+            half_turn: self.paced.half_turn,
+            period: self.paced.period,
+            own_delay: self.paced.own_delay,
             flat: self.flat.clone().unwrap_or_default(),
         }
     }

@@ -30,8 +30,10 @@ pub struct FitResult {
     /// Half of the mean turn of a step between rows of motion, rad, counted by its distance. The filter drives each
     /// step straight and turns then, and takes a sensor of bearings to be turned by so much.
     pub half_turn: f64,
-    /// The median time between rows of motion, s: a delay of at most half of it may be the motion model's own.
+    /// The median time between rows of motion, s.
     pub period: f64,
+    /// A delay of at most this may be the motion model's own, s: half of that, or all of it.
+    pub own_delay: f64,
     /// Delays of a log of odometry, from where to where its likelihood is the same.
     pub flat: Vec<(Fitted, [f64; 2])>,
 }

@@ -8,8 +8,10 @@ use crate::drive::flat::flat;
 use crate::drive::gaps::{self, Gaps};
 use crate::drive::noise::Noise;
 use crate::drive::round::{Round, Scope};
-use crate::drive::row::{Drive, Event, Row};
+use crate::drive::row::{Drive, Event, Motion, Row};
 use crate::drive::suspect::{Standing, Suspect};
+use crate::drive::weight::ranked;
+use crate::error::Error;
 use alloc::vec::Vec;
 
 /// A mended filter that is farther from the truth than before, by this ratio, is not mended.
@@ -18,8 +20,8 @@ const FOR_THE_CLAIM: f64 = 1.3;
 /// One with a NEES beyond this still has a fault, unless the error has fallen by this ratio meanwhile.
 const WILD: f64 = 20.0;
 const BETTER: f64 = 0.9;
-/// A delay of more steps than this is not the motion model's own; one that gains less than this beyond half a step is.
-const MOST_OWN: f64 = 2.0;
+/// A delay of so many times what the motion model may have is not its own; one that gains less than this beyond it is.
+const MOST_OWN: f64 = 4.0;
 const AS_MUCH: f64 = 0.5;
 /// So many delays are looked at for stairs: those that a sentence may name.
 const NAMED: usize = 2;
@@ -50,6 +52,8 @@ pub struct Judgement {
     pub arcs: Option<f64>,
     /// The median time between rows of motion, s. A delay of at most half of it is the model's own.
     pub period: f64,
+    /// How long a delay may be the motion model's own, s: half of that, or all of it.
+    pub own_delay: f64,
     /// The mean distance of a second in which the robot drives, m: what σ of the distance is to be held against.
     pub pace: f64,
     /// As that of a [`FitResult`](super::FitResult), rad; 0 where the sizes are those of a robot that turns on its way.
@@ -104,44 +108,65 @@ pub(crate) fn as_mended(place: &Trial, own: &[Suspect]) -> Trial {
     mended
 }
 
+/// Takes off a suspect's gain what it does not gain for the filter as it is used, which neither turns on the way nor
+/// knows what of a delay is the model's own: its σ make up for that.
+pub(crate) fn for_the_filter(drive: &Drive, round: &mut Round, own: &[Suspect], scope: &Scope) -> Result<(), Error> {
+    if own.is_empty() && !round.place.otherwise.arcs {
+        return Ok(());
+    }
+    let base = Evidence::new(drive, &as_mended(&round.place, own), scope.rows)?;
+    for (suspect, place) in round.found.iter_mut().filter(|(suspect, _)| suspect.excess > 0.0) {
+        let from = if suspect.fault == Fault::Clock { scope.from } else { 0 };
+        let used = Evidence::new(drive, &as_mended(place, own), scope.rows);
+        let less = used.map_or(suspect.gain, |used| (suspect.gain - used.gain(&base, from)).max(0.0));
+        (suspect.gain, suspect.excess) = (suspect.gain - less, suspect.excess - less);
+    }
+    round.found = ranked(core::mem::take(&mut round.found));
+    Ok(())
+}
+
 /// The settings that a suspect delays, and by how much; `None` of what is no delay.
 fn delayed(suspect: &Suspect) -> Option<(Vec<Fitted>, f64)> {
     let size = suspect.sizes.first().filter(|_| suspect.fault == Fault::Clock)?;
     Some((suspect.tried().numbers(), size.value - size.now))
 }
 
-/// Whether a suspect is the motion model's own: a delay of at most half a step, with motion about every `period`
-/// seconds, or a longer one that makes the readings no likelier than half a step does. Of a delay that was set it may
-/// be known already how much is the model's, or not.
-pub(crate) fn is_own(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Scope, period: f64) -> bool {
+/// How long a delay the motion model may have as its own, with motion about every `period` seconds. The robot drives
+/// straight and turns then, which is half a step; a speed or turn rate is held for a step besides, which is another.
+pub(crate) fn own_delay(motion: Motion, arcs: bool, period: f64) -> f64 {
+    if motion == Motion::Velocity && !arcs { period } else { 0.5 * period }
+}
+
+/// Whether a suspect is the motion model's own: a delay of at most `half` a step, or a longer one that makes the
+/// readings no likelier than that does. Of a delay that was set it may be known already how much is the model's, or
+/// not.
+pub(crate) fn is_own(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Scope, half: f64) -> bool {
     if suspect.sizes.iter().any(|size| size.now != 0.0) {
         return false;
     }
-    let half = 0.5 * period;
     // One that is not known to be longer is not.
     let more = suspect.sizes.first().map_or(0.0, |size| (2.0 * size.sigma).min(0.3 * half));
     delayed(suspect).is_some_and(|(_, off)| off.abs() <= half + more)
-        || beyond_half(drive, suspect, round, scope, period).is_some_and(|gain| gain <= AS_MUCH)
+        || beyond_own(drive, suspect, round, scope, half).is_some_and(|gain| gain <= AS_MUCH)
 }
 
-/// By how much a delay of a step or two makes the readings likelier than half a step the same way; `None` of
-/// others.
-fn beyond_half(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Scope, period: f64) -> Option<f64> {
-    let (numbers, off) = delayed(suspect).filter(|(_, off)| off.abs() <= MOST_OWN * period)?;
+/// By how much a short delay makes the readings likelier than what is the model's own the same way; `None` of others.
+fn beyond_own(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Scope, own: f64) -> Option<f64> {
+    let (numbers, off) = delayed(suspect).filter(|(_, off)| off.abs() <= MOST_OWN * own)?;
     let mut place = round.place;
     for number in &numbers {
-        let half = number.get(&place.settings) + (0.5 * period).copysign(off);
-        number.set(&mut place.settings, half);
+        let to = number.get(&place.settings) + own.copysign(off);
+        number.set(&mut place.settings, to);
     }
-    let by_half = Evidence::new(drive, &place, scope.rows).ok()?.gain(round.base.as_ref()?, scope.from);
-    Some(suspect.gain - by_half)
+    let by_own = Evidence::new(drive, &place, scope.rows).ok()?.gain(round.base.as_ref()?, scope.from);
+    Some(suspect.gain - by_own)
 }
 
-/// Says of delays of a step or two that the motion model's own half a step may be what they are, where they make the
-/// readings no likelier than that and chance do.
-pub(crate) fn may_be_own(drive: &Drive, suspects: &mut [Suspect], round: &Round, scope: &Scope, period: f64) {
+/// Says of short delays that they may be the motion model's own, where they make the readings no likelier than the
+/// longest of those (`own`) and chance do.
+pub(crate) fn may_be_own(drive: &Drive, suspects: &mut [Suspect], round: &Round, scope: &Scope, own: f64) {
     for suspect in suspects.iter_mut().filter(|it| it.standing != Standing::Cleared) {
-        if beyond_half(drive, suspect, round, scope, period).is_some_and(|gain| gain <= scope.chance[1]) {
+        if beyond_own(drive, suspect, round, scope, own).is_some_and(|gain| gain <= scope.chance[1]) {
             (suspect.own, suspect.standing) = (true, Standing::Maybe);
         }
     }

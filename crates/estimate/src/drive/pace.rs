@@ -1,7 +1,25 @@
 //! How far a robot drives in a second: what the noise of its distance is to be held against.
 
+use crate::drive::judgement::{own_delay, period};
 use crate::drive::row::{Drive, Event};
 use crate::drive::settings::Settings;
+
+/// What a fit's numbers are held against.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Paced {
+    pub pace: f64,
+    pub half_turn: f64,
+    pub period: f64,
+    pub own_delay: f64,
+}
+
+impl Paced {
+    pub fn new(drive: &Drive, settings: &Settings) -> Self {
+        let period = period(&drive.rows);
+        let own_delay = own_delay(drive.motion, false, period);
+        Self { pace: pace(drive, settings), half_turn: half_turn(drive), period, own_delay }
+    }
+}
 
 /// A step between rows of motion: how long it took, and how far the robot went and turned on it, as it is read.
 struct Step {

@@ -22,11 +22,13 @@ use crate::drive::fault::Fault;
 use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::gaps::{Gaps, gaps};
 use crate::drive::gates::Gates;
-use crate::drive::judgement::{Judgement, as_mended, is_own, may_be_own, period, refuted, stairs, turning};
+use crate::drive::judgement::{
+    Judgement, as_mended, for_the_filter, is_own, may_be_own, own_delay, period, refuted, stairs, turning,
+};
 use crate::drive::noise::{Noise, noise};
 use crate::drive::pace::{half_turn, pace};
 use crate::drive::round::{Round, Scope};
-use crate::drive::row::Drive;
+use crate::drive::row::{Drive, Motion};
 use crate::drive::settings::Settings;
 use crate::drive::suspect::{Standing, Suspect, Tried};
 use crate::drive::weight::{ranked, sifted, stand};
@@ -80,6 +82,7 @@ pub struct Verdict {
     own: Vec<Suspect>,
     before: u32,
     period: f64,
+    motion: Motion,
     pace: f64,
     half_turn: f64,
     gaps: Vec<Gaps>,
@@ -139,6 +142,7 @@ impl Verdict {
             own: Vec::new(),
             before: 0,
             period: period(judged),
+            motion: drive.motion,
             pace: pace(drive, &settings),
             half_turn: half_turn(drive),
             gaps: gaps(judged, drive.motion),
@@ -171,6 +175,7 @@ impl Verdict {
             if self.trust_gates() || self.turn_on_the_way(drive) || self.set_apart(drive) {
                 return Ok(true);
             }
+            for_the_filter(drive, &mut self.first, &self.own, &self.scope)?;
             self.sole = by_itself(&mut self.first, drive, &self.scope)?;
             self.beside = if self.sole { None } else { explained(&self.first) };
         }
@@ -212,7 +217,7 @@ impl Verdict {
         let Some((own, place)) = self.first.found.iter().find(|(suspect, _)| likely(suspect)) else {
             return false;
         };
-        if !is_own(drive, own, &self.first, &self.scope, self.period) {
+        if !is_own(drive, own, &self.first, &self.scope, 0.5 * self.period) {
             return false;
         }
         let tried: Vec<Tried> = self.first.tried.iter().copied().filter(|tried| *tried != own.tried()).collect();
@@ -220,6 +225,10 @@ impl Verdict {
         self.own.push(Suspect { own: true, ..own.clone() });
         self.first = Round::new(*place, tried);
         true
+    }
+
+    fn own_delay(&self) -> f64 {
+        own_delay(self.motion, self.arcs.is_some(), self.period)
     }
 
     /// Says how sure each suspect is, and holds the first against the truth.
@@ -231,8 +240,9 @@ impl Verdict {
         self.suspects = core::mem::take(&mut self.first.found).into_iter().map(|(suspect, _)| suspect).collect();
         stand(&mut self.suspects, hoisted || self.sole);
         stairs(drive, &mut self.suspects, &places, &self.scope);
+        let own_delay = self.own_delay();
         if !hoisted {
-            may_be_own(drive, &mut self.suspects, &self.first, &self.scope, self.period);
+            may_be_own(drive, &mut self.suspects, &self.first, &self.scope, own_delay);
         }
         self.hold_against_the_truth(drive, &places);
         self.suspects.append(&mut self.own);
@@ -276,6 +286,7 @@ impl Verdict {
             beside: self.hoisted,
             arcs: self.arcs,
             period: self.period,
+            own_delay: self.own_delay(),
             pace: self.pace,
             half_turn: if self.arcs.is_none() { self.half_turn } else { 0.0 },
             noise: self.noise,
