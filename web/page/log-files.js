@@ -222,7 +222,7 @@ export class FileForm {
   added(into, i, words) {
     this.entry(into, `${i} clock shift`, words, '', (text) => {
       const seconds = Number(text.trim().replace('−', '-').replace(',', '.') || NaN)
-      return Number.isFinite(seconds) ? { file: i, clockShift: seconds } : null
+      return Math.abs(seconds) <= 1e11 ? { file: i, clockShift: seconds } : null
     })
   }
 

@@ -140,8 +140,8 @@ impl LogFiles {
     ) -> Result<(), Thrown> {
         self.0.is(FILES)?;
         let seconds = Arg::new(seconds, "seconds").number()?;
-        if !seconds.is_finite() {
-            return Err(Error::new(Code::Limit, "seconds", "is not finite").into());
+        if seconds.is_nan() || seconds.abs() > 1e11 {
+            return Err(Error::new(Code::Limit, "seconds", "must be within 1e11").into());
         }
         self.change(file, "file", |files, file| files.set_clock_shift(file, seconds))
     }

@@ -8,7 +8,7 @@ use crate::names::candidates;
 use crate::other_clock::{OtherClock, Times, join};
 use crate::own::Own;
 use crate::role::{Quantity, Role};
-use crate::row;
+use crate::row::{self, MAX_TIME};
 use crate::source::{Question, Source};
 use crate::wgs84::Origin;
 use crate::wide;
@@ -187,7 +187,7 @@ impl File {
     }
 
     pub(crate) fn set_clock_shift(&mut self, seconds: f64) -> bool {
-        let there = self.source.other_clock.is_some() && seconds.is_finite();
+        let there = self.source.other_clock.is_some() && seconds.abs() <= MAX_TIME;
         if there {
             self.source.clock_shift = Some(seconds);
         }

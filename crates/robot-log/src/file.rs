@@ -42,8 +42,7 @@ impl File {
         file
     }
 
-    /// Looks whether a column tells the rows of several robots apart; another column than before asks anew. And what
-    /// follows from each of several clocks, and the order of its rows.
+    /// Looks which column tells several robots apart, what follows from each of several clocks, and the rows' order.
     fn tell_apart(&mut self) {
         let source = &mut self.source;
         source.clocks = clocks(source, &self.name, &self.text);
@@ -190,6 +189,7 @@ impl File {
         let source = &mut self.source;
         source.columns[at] = column;
         source.doubts[at].clear();
+        source.forget_shift(value);
         source.units[at] = columns::unit(source, at, &self.name, &self.text);
         self.tell_apart();
         true
@@ -199,6 +199,7 @@ impl File {
         let Some(at) = self.source.role.index(value) else { return false };
         let Some(unit) = unit::named(self.source.role.values()[at].quantity, unit) else { return false };
         self.source.units[at] = Some(unit);
+        self.source.forget_shift(value);
         self.source.order = self.find_order();
         true
     }

@@ -232,6 +232,11 @@ impl Source {
         self.clock_shift.filter(|_| self.other_clock.is_some())
     }
 
+    /// Forgets what was added to its times where these are others: they may need something else.
+    pub fn forget_shift(&mut self, value: &str) {
+        self.clock_shift = self.clock_shift.filter(|_| value != "time");
+    }
+
     /// Whether a column's stamps are dates.
     pub fn is_date(&self) -> bool {
         self.units.first().copied().flatten().is_some_and(|unit| unit.name == DATE)

@@ -33,7 +33,12 @@ fn fixes_an_hour_off_are_asked_and_shifted() {
     assert!(asked.starts_with("gps.csv asks: Its times begin 3505.0 s after the motion ends:"), "{asked}");
     let clock = *log.files()[1].other_clock().expect("asked");
     assert_eq!((clock.zone, clock.together), (Some(-3600.0), -3605.0));
-    assert!(!log.set_clock_shift(0, 1.0) && !log.set_clock_shift(1, f64::NAN) && !log.set_clock_shift(2, 1.0));
+    assert!(
+        !log.set_clock_shift(0, 1.0)
+            && !log.set_clock_shift(1, f64::NAN)
+            && !log.set_clock_shift(1, 1e12)
+            && !log.set_clock_shift(2, 1.0)
+    );
     assert!(log.set_clock_shift(1, -3600.0));
     log.compare();
     assert_eq!((log.files()[1].clock_shift(), log.files()[1].asks().len()), (Some(-3600.0), 0));
@@ -45,7 +50,10 @@ fn fixes_an_hour_off_are_asked_and_shifted() {
     assert_eq!(fix_times(&log), [4605.0, 4695.0]);
     let notes = log.read().expect("sound").notes;
     assert!(notes.iter().any(|note| note.contains("all before the motion or after it")), "{notes:?}");
-    // Another unit of its times asks anew only as long as they do not meet the motion's.
+    // What was added to times in another unit is not what these need.
+    assert!(log.set_clock_shift(1, -3600.0) && log.set_unit(1, "time", "ms") && log.set_unit(1, "time", "s"));
+    log.compare();
+    assert_eq!((log.files()[1].clock_shift(), log.files()[1].asks().len()), (None, 1));
     assert!(log.set_role(1, Role::Unused));
     log.compare();
     assert_eq!(log.files()[1].clock_shift(), None);
