@@ -5,7 +5,7 @@ import { mendBefore } from '../../web/page/log-fit-words.js'
 import { remedies, remedy } from '../../web/page/log-remedy.js'
 import { unsettledWords } from '../../web/widgets/robot-log/unsettled.js'
 import { named } from '../../web/widgets/robot-log/named.js'
-import { sentence } from '../../web/widgets/robot-log/verdict.js'
+import { ranked, sentence } from '../../web/widgets/robot-log/verdict.js'
 import { judgement, suspect } from './verdicts.mjs'
 
 const DEGREE = Math.PI / 180
@@ -270,4 +270,15 @@ test('what may be no fault has no press, and stands behind what is one', () => {
   )
   // What was held against the truth, and is not the first, mends nothing.
   assert.deepEqual(named(judgement([late, { ...noise, mended: { rmse: 1, nees: 2, outside: 0 } }])), [late])
+})
+
+test('turns of odometry that noise makes smaller may be no fault and have no press', () => {
+  const sizes = [size(0.001, 0.004), size(-0.105, 0.018)]
+  const turns = suspect({ fault: 'odometry', name: null, standing: 'maybe', own: true, sizes })
+  assert.deepEqual(remedies(judgement([turns]), frame), [])
+  const said = ranked(judgement([turns]), { rows: 1000, truth: false })
+  assert.match(
+    said,
+    /^Perhaps: The robot .* less than odometry reads\. Noise in the turns that are read looks the same: it may be/,
+  )
 })

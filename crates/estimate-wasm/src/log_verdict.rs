@@ -57,8 +57,9 @@ export interface LogSuspect {
     /** Whether it is the one, may be one, or is no likelier than chance explains. */
     standing: 'sure' | 'maybe' | 'cleared';
     /**
-     * Whether it may be the motion model's own half a step between rows of motion: a delay of at most that is cleared,
-     * and a longer one may be it where half a step and chance make the readings as likely.
+     * Whether it may be the motion model's own, half a step between rows of motion: a delay of at most that is cleared,
+     * and a longer one may be it where that and chance make the readings as likely. Of a share of odometry's turns,
+     * whether noise of the turns does the same.
      */
     own: boolean;
     /** From where to where the likelihood of a delay is the same, where the motion has too few rows to tell more. */

@@ -13,6 +13,7 @@
 
 mod beside;
 mod course;
+mod diluted;
 mod displaced;
 mod evidence;
 mod exchange;

@@ -6,6 +6,9 @@ import { plusMinus, rounded } from './sized.js'
 /** @typedef {import('estimate-wasm').LogSuspect['sizes'][number]} Size */
 /** @typedef {import('./looks.js').Log | null} Log */
 
+/** Of turns that are less than they are read. */
+export const DILUTED = 'Noise in the turns that are read looks the same: it may be no fault.'
+
 /** How many times the distances, and where it turns the turns, are to be taken. @param {Size[]} sizes */
 export const factors = (sizes) => sizes.map((size) => 1 + rounded(size))
 
@@ -14,18 +17,35 @@ function much({ value, ...size }, [more, less]) {
   return `${plusMinus({ ...size, value: Math.abs(value) }, 100)} % ${value > 0 ? more : less}`
 }
 
-/** @param {Size[]} sizes @param {Log} log */
-export function odometrySentence(sizes, log) {
+/** A heading that is counted from elsewhere turns the way aside as well. */
+const HEADING = ', or that of the headings, which may be counted from north or from the axis of x'
+
+/** @param {Size[]} sizes @param {Log} log @param {boolean} own whether noise of the turns may be what it is */
+export function odometrySentence(sizes, log, own = false) {
   const [far, turned] = sizes
-  if (far.end) return 'The distances of odometry are not those that the robot drives: mend their unit.'
+  const headings = log?.readings?.heading ? HEADING : ''
+  if (far.end) return `The distances of odometry are not those that the robot drives: mend their unit${headings}.`
   const times = (/** @type {number} */ factor) => `${decimal(factor, 4)} times`
   const [along, about] = factors(sizes)
   const drives = `The robot drives ${much(far, ['farther', 'less far'])}`
   if (!turned) return `${drives} than odometry reads: take the distances ${times(along)} as they are read.`
   const both = `the distances ${times(along)} and the turns ${times(about)} as they are read`
+  const reads = `${drives} and turns ${much(turned, ['more', 'less'])} than odometry reads`
+  if (own) return `${reads}.`
   return (
-    `${drives} and turns ${much(turned, ['more', 'less'])} than odometry reads: take ${both}. ` +
+    `${reads}: take ${both}. ` +
     `${log?.wheels ? 'A' : 'Of two wheels a'} radius ${times(along)} and a base ${times(along / about)} as long as ` +
     'was said do the same.'
+  )
+}
+
+/** @param {Log} log */
+export function mirroredSentence(log) {
+  const heading = log?.readings?.heading
+    ? ', or the headings are in another unit, from north or from the axis of x'
+    : ''
+  return (
+    'The turns have the wrong sign: choose the unit of ω that turns the other way, or change their sign ' +
+    `in the file. If they are right, x and y of the places are exchanged${heading}.`
   )
 }

@@ -1,7 +1,7 @@
 /** The verdict on a log in words: which fault the readings tell, how large it is, and what mends it. */
 
 import { fixed } from '../../draw/numbers.js'
-import { odometrySentence } from './driven.js'
+import { DILUTED, mirroredSentence, odometrySentence } from './driven.js'
 import { NEAR, named } from './named.js'
 import { READINGS, noisy } from './noise.js'
 import { off as offset, scaleSentence } from './scales.js'
@@ -140,10 +140,10 @@ function model(suspect, judgement) {
 function inPart({ fault, own, name, sizes: [size] }, { period, ownDelay, halfTurn }) {
   if (name === 'bearingOffset' && size.sigma !== null && Math.abs(halfTurn) > size.sigma / 2)
     return `${fixed(halfTurn * DEGREES, 2)}° of that may be the motion model’s own, half of the turn of a step.`
-  if (fault !== 'clock') return ''
+  if (fault !== 'clock') return own ? DILUTED : ''
   const step = ownStep({ period, ownDelay })
   if (Math.abs(size.value - size.now) > 2 * period)
-    return size.sigma !== null && size.sigma < ownDelay
+    return size.sigma !== null && size.sigma < period / 2
       ? `It may be ${step}, longer or shorter: that is the motion model’s own.`
       : ''
   const much = Math.abs(size.value - size.now) > ownDelay ? `Of it ${step},` : `All of it, less than ${step},`
@@ -228,16 +228,11 @@ export function kind({ fault, name, with: other, sensor, sizes }) {
 /** What is wrong, and what to do. @param {Suspect} suspect @param {boolean} truth @param {Log | null} [log] */
 export function sentence(suspect, truth, log = null) {
   const { fault, name, sensor, sizes, landmarks } = suspect
-  if (fault === 'odometry') return odometrySentence(sizes, log)
+  if (fault === 'odometry') return odometrySentence(sizes, log, suspect.own)
   if (fault === 'exchanged') return exchanged(landmarks ?? [], log)
   if (fault === 'displaced') return displaced(landmarks ?? [], sizes, log)
   if (fault === 'landmark-bias') return biased(landmarks ?? [], sizes, log)
-  if (fault === 'mirrored')
-    return (
-      'The turns have the wrong sign: choose the unit of ω that turns the other way, or change their sign ' +
-      'in the file. ' +
-      'If they are right, x and y of the places are exchanged.'
-    )
+  if (fault === 'mirrored') return mirroredSentence(log)
   const [size, second] = sizes
   const off = size.value - size.now
   if (fault === 'start') return startSentence(sizes, truth)

@@ -16,6 +16,7 @@
 
 use crate::drive::beside::{by_itself, explained, hoist};
 use crate::drive::course::{Course, Otherwise};
+use crate::drive::diluted::diluted;
 use crate::drive::evidence::{Against, Evidence, Trial};
 use crate::drive::exchange::pairs;
 use crate::drive::fault::Fault;
@@ -240,6 +241,7 @@ impl Verdict {
         self.suspects = core::mem::take(&mut self.first.found).into_iter().map(|(suspect, _)| suspect).collect();
         stand(&mut self.suspects, hoisted || self.sole);
         stairs(drive, &mut self.suspects, &places, &self.scope);
+        diluted(drive, &mut self.suspects);
         let own_delay = self.own_delay();
         if !hoisted {
             may_be_own(drive, &mut self.suspects, &self.first, &self.scope, own_delay);
