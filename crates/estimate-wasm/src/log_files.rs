@@ -7,7 +7,7 @@ use crate::object::Held;
 use crate::robot_log::{DriveLog, text_of};
 use estimate::{Code, Error};
 use js_sys::Array;
-use robot_log::{Files, Role, WHEEL_NUMBERS};
+use robot_log::{Files, MAX_TIME, Role, WHEEL_NUMBERS};
 use wasm_bindgen::prelude::*;
 
 /// The files of one log. A file that is added is guessed to be in the book's own format, or a table whose columns have
@@ -140,8 +140,8 @@ impl LogFiles {
     ) -> Result<(), Thrown> {
         self.0.is(FILES)?;
         let seconds = Arg::new(seconds, "seconds").number()?;
-        if seconds.is_nan() || seconds.abs() > 1e11 {
-            return Err(Error::new(Code::Limit, "seconds", "must be within 1e11").into());
+        if seconds.is_nan() || seconds.abs() > MAX_TIME {
+            return Err(Error::new(Code::Limit, "seconds", "is no number, or longer than times of a log may be").into());
         }
         self.change(file, "file", |files, file| files.set_clock_shift(file, seconds))
     }

@@ -112,5 +112,6 @@ pub use other_clock::OtherClock;
 pub use own::Own;
 pub use parse::parse;
 pub use role::{Quantity, Role, Value};
+pub use row::MAX_TIME;
 pub use unit::{Unit, units_of};
 pub use wheels::{Counting, WHEEL_NUMBERS, Wheels};

@@ -6,7 +6,7 @@ use estimate::Landmark;
 use estimate::drive::{Event, Pose, Row};
 
 /// The greatest time of a row, seconds either side of 0. Unix times fit, and differences of times keep a microsecond.
-pub(crate) const MAX_TIME: f64 = 1e11;
+pub const MAX_TIME: f64 = 1e11;
 
 /// The letters, as an error lists them.
 const LETTERS: &str = "L, G, O, V, S, T, R, B, P or H";
