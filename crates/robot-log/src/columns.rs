@@ -10,7 +10,7 @@ use crate::quaternion;
 use crate::role::{Quantity, Role, Value};
 use crate::row::number;
 use crate::sigma;
-use crate::source::Source;
+use crate::source::{Known, Source};
 use crate::stamp;
 use crate::table::LOOKED_AT;
 use crate::true_names::sought;
@@ -23,6 +23,7 @@ pub(crate) fn columns(source: &mut Source, file: &str, text: &str) {
     let values = source.role.values();
     source.columns = vec![None; values.len()];
     source.units = vec![None; values.len()];
+    source.headings = Known::Guessed;
     source.doubts = vec![Vec::new(); values.len()];
     let nameless = source.table.as_ref().is_some_and(|table| table.nameless);
     for (i, value) in values.iter().enumerate() {
@@ -243,8 +244,12 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             let global = !candidates("latitude", Quantity::Coordinate, &source.names).is_empty();
             // Far from a full turn at first, a heading may pass it later on.
             let all = table.lines(text).filter_map(Result::ok).filter_map(|line| number(line.fields.get(column)?.text));
-            let furthest = all.filter(|it| it.is_finite()).fold(most, |most, it| most.max(it.abs()));
-            heading::unit(name, said, [most, furthest], [down, global, captured(&source.names, file)]).and_then(usual)
+            let finite = all.filter(|it| it.is_finite());
+            // Phones write -1 where they know none.
+            let (furthest, below) =
+                finite.fold((most, false), |(most, below), it| (most.max(it.abs()), below || (it < 0.0 && it != -1.0)));
+            let of = [down, global, captured(&source.names, file), below];
+            heading::unit(name, said, [most, furthest], of).and_then(usual)
         }
         Quantity::Coordinate => {
             // Both are in one unit: near Greenwich a longitude is small in any.

@@ -14,7 +14,7 @@ use crate::parse;
 use crate::role::Role;
 use crate::row;
 use crate::several::{grouped, several};
-use crate::source::{Question, Source};
+use crate::source::{Known, Question, Source};
 use crate::stamp;
 use crate::table::Table;
 use crate::unit::{self, Unit};
@@ -189,7 +189,7 @@ impl File {
         let source = &mut self.source;
         source.columns[at] = column;
         source.doubts[at].clear();
-        source.forget_shift(value);
+        source.known(value, Known::Guessed);
         source.units[at] = columns::unit(source, at, &self.name, &self.text);
         self.tell_apart();
         true
@@ -199,7 +199,7 @@ impl File {
         let Some(at) = self.source.role.index(value) else { return false };
         let Some(unit) = unit::named(self.source.role.values()[at].quantity, unit) else { return false };
         self.source.units[at] = Some(unit);
-        self.source.forget_shift(value);
+        self.source.known(value, Known::Said);
         self.source.order = self.find_order();
         true
     }

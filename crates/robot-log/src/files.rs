@@ -9,7 +9,6 @@ use crate::file::File;
 use crate::frames::Frame;
 use crate::log::{MAX_BYTES, Understood};
 use crate::other_clock::{Times, spanned};
-use crate::own::{Own, own};
 use crate::parse;
 use crate::reading::LogReader;
 use crate::role::Role;
@@ -32,9 +31,9 @@ pub const MAX_FILES: usize = 16;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Files {
-    files: Vec<File>,
-    /// Whether the truth has been compared with the fixes since the last change.
-    compared: bool,
+    pub(crate) files: Vec<File>,
+    /// Whether they have been compared with one another since the last change.
+    pub(crate) compared: bool,
     corrections: Corrections,
 }
 
@@ -168,35 +167,6 @@ impl Files {
         beside::frames(&mut self.files);
     }
 
-    /// Compares the times of the files with those of the motion, and the truth with the fixes and with the motion: a
-    /// file that has another clock asks from then on, and so does a truth with a frame or a clock of its own. A log
-    /// without fixes has no truth compared, nor has one with several truths.
-    pub fn compare(&mut self) {
-        if core::mem::replace(&mut self.compared, true) {
-            return;
-        }
-        self.files.iter_mut().for_each(|file| file.source.other_clock = None);
-        if added(&self.files) > 1 && self.is_sound() {
-            let found = self.gathered(true).map(|(_, times)| beside::clocks(&self.files, &times)).unwrap_or_default();
-            self.files.iter_mut().zip(found).for_each(|(file, clock)| file.source.other_clock = clock);
-        }
-        let found = beside::compared(&self.files).and_then(|(at, framed)| Some((at, self.found(framed)?)));
-        for (at, file) in self.files.iter_mut().enumerate() {
-            file.source.own = found.filter(|(truth, _)| *truth == at).map(|(_, own)| own);
-        }
-    }
-
-    /// What brings the truth onto the fixes, where the files can be read so far.
-    fn found(&self, framed: bool) -> Option<Own> {
-        let log = self.is_sound().then(|| self.gathered(true).ok()?.0.finish(None).ok())??.log;
-        own(&log.drive, framed)
-    }
-
-    /// Whether each file can be read as far as it says by itself.
-    fn is_sound(&self) -> bool {
-        self.files.iter().all(|file| file.check().is_ok() && file.source.asks_itself().is_empty())
-    }
-
     /// The log that the files make. A truth with a frame or a clock of its own is asked for that, once it has been
     /// compared ([`Files::compare`]).
     ///
@@ -241,14 +211,14 @@ impl Files {
         Ok(read)
     }
 
-    /// The rows of all files, and when those of each were; `as_written`, a truth is not moved.
-    fn gathered(&self, as_written: bool) -> Result<(LogReader, Vec<Times>), Error> {
+    /// The rows of all files, and which of them and when those of each were; `as_written`, a truth is not moved.
+    pub(crate) fn gathered(&self, as_written: bool) -> Result<(LogReader, Vec<Times>), Error> {
         let mut reading = LogReader::new(self.barcodes()?, as_written);
         reading.origin = self.files.iter().find_map(File::origin);
         let gyro = turning::gyro(&self.files);
         let mut times = vec![Times::default(); self.files.len()];
         for (i, file) in self.files.iter().enumerate() {
-            let from = reading.to.rows().len();
+            times[i].rows[0] = reading.to.rows().len();
             match file.role() {
                 Role::Log => parse::gather(file.text(), i, &mut reading.to)?,
                 Role::Unused | Role::Undecided | Role::Barcodes => {}
@@ -265,7 +235,9 @@ impl Files {
                     reading.say(file.notes());
                 }
             }
-            times[i].motion = spanned(&reading.to.rows()[from..]);
+            let rows = &reading.to.rows()[times[i].rows[0]..];
+            times[i].motion = spanned(rows);
+            times[i].rows[1] = times[i].rows[0] + rows.len();
         }
         Ok((reading, times))
     }

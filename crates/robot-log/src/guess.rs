@@ -7,7 +7,7 @@ use crate::columns::{clockwise, columns, third_axis};
 use crate::cut::cut;
 use crate::names::{Name, candidates, is_acceleration, is_spread};
 use crate::role::{Quantity, Role};
-use crate::source::{Question, Source};
+use crate::source::{Known, Question, Source};
 use crate::table::Table;
 use crate::true_names::{has_coordinates, has_truth};
 use crate::vocabulary::BESIDE;
@@ -84,6 +84,7 @@ fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
         same_as: None,
         other_clock: None,
         clock_shift: None,
+        headings: Known::Guessed,
         beside: false,
         own: None,
         frame: None,

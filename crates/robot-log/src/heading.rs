@@ -42,12 +42,13 @@ const FULL_TURN: f64 = 360.5;
 
 /// The unit of a column of headings, whose name may say one and whose largest number is `most` in the first rows and
 /// `furthest` in all; `None` where it has to be asked. `down`: the axes point forward, right and down; `global`:
-/// latitudes stand beside it; `captured`: it is of a motion capture, whose angles are counted as its own axes say.
+/// latitudes stand beside it; `captured`: it is of a motion capture, whose angles are counted as its own axes say;
+/// `below`: some are below 0.
 pub(crate) fn unit(
     name: &Name,
     said: Option<&Unit>,
     [most, furthest]: [f64; 2],
-    [down, global, captured]: [bool; 3],
+    [down, global, captured, below]: [bool; 4],
 ) -> Option<&'static str> {
     if let Some(unit) = said.filter(|unit| unit.name == HUNDREDTHS_FROM_NORTH) {
         return Some(unit.name);
@@ -65,6 +66,10 @@ pub(crate) fn unit(
     }
     // No heading is more than a full turn: they are hundredths of a degree, or turns are counted on.
     if degrees && furthest > FULL_TURN {
+        return None;
+    }
+    // A course goes from 0 to 360: what goes to 180 on both sides is a program's own, and is counted from either.
+    if degrees && course && below && !down {
         return None;
     }
     // Degrees of a heading or a yaw are a compass's as often as they are counted from the axis of x. In radians they

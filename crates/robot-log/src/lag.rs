@@ -2,7 +2,7 @@
 //! a late truth from late fixes: the truth is shifted in time until its speeds and turns go as the motion's do.
 
 use crate::alignment::Path;
-use estimate::drive::{Drive, Event};
+use estimate::drive::{Drive, Event, Row};
 
 /// Over how long speeds and turns are taken, s.
 const WINDOW: f64 = 1.0;
@@ -18,7 +18,7 @@ const GAP: f64 = 2.0;
 /// How finely shifts are tried, s.
 const STEP: f64 = 0.05;
 /// So strongly the speeds or the turns have to go together.
-const ALIKE: f64 = 0.7;
+pub(crate) const ALIKE: f64 = 0.7;
 /// A shift is told from none where the logarithm of the likelihood rises by more than this.
 const TOLD: f64 = 15.0;
 
@@ -32,12 +32,13 @@ pub(crate) struct Lag {
 }
 
 /// How far the robot went and turned since the first row of motion: time, m, rad.
-struct Travelled(Vec<[f64; 3]>);
+pub(crate) struct Travelled(Vec<[f64; 3]>);
 
 impl Travelled {
-    fn new(drive: &Drive) -> Self {
+    /// By the rows of motion, in the order of their times.
+    pub fn new<'r>(motion: impl IntoIterator<Item = &'r Row>) -> Self {
         let (mut knots, mut held) = (Vec::<[f64; 3]>::new(), [0.0; 2]);
-        for row in drive.rows.iter().filter(|row| row.event.is_motion()) {
+        for row in motion {
             let [before, way, turned] = knots.last().copied().unwrap_or([row.time, 0.0, 0.0]);
             let apart = row.time - before;
             let mut now = [row.time, way + held[0] * apart, turned + held[1] * apart];
@@ -53,7 +54,8 @@ impl Travelled {
         Self(knots)
     }
 
-    fn at(&self, time: f64) -> Option<[f64; 2]> {
+    /// How far until a time, m and rad; `None` in a gap, and outside.
+    pub fn at(&self, time: f64) -> Option<[f64; 2]> {
         let after = self.0.partition_point(|knot| knot[0] <= time);
         let (before, next) = (self.0.get(after.checked_sub(1)?)?, self.0.get(after)?);
         let (apart, share) = (next[0] - before[0], (time - before[0]) / (next[0] - before[0]));
@@ -81,7 +83,7 @@ fn about(path: &Path<'_>, time: f64) -> Option<[Option<f64>; 2]> {
 }
 
 /// How two series go together, by Pearson's coefficient; 0 where there are too few, or one stands still.
-fn together(pairs: &[[f64; 2]]) -> f64 {
+pub(crate) fn together(pairs: &[[f64; 2]]) -> f64 {
     if pairs.len() < FEWEST {
         return 0.0;
     }
@@ -99,7 +101,7 @@ fn together(pairs: &[[f64; 2]]) -> f64 {
 /// Compares the truth with the motion, its stamps shifted by up to `most`, s. `None` where the two do not go together:
 /// then the motion says nothing of the truth's clock.
 pub(crate) fn lag(drive: &Drive, path: &Path<'_>, most: f64) -> Option<Lag> {
-    let (course, [from, to]) = (Travelled::new(drive), path.span());
+    let (course, [from, to]) = (Travelled::new(drive.rows.iter().filter(|row| row.event.is_motion())), path.span());
     let (from, to) = (from + most + WINDOW, to - most - WINDOW);
     if to - from < EVERY * FEWEST as f64 {
         return None;

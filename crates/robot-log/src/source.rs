@@ -9,7 +9,7 @@ use crate::own::Own;
 use crate::role::{Quantity, Role, Value};
 use crate::several::{Several, grouped};
 use crate::table::Table;
-use crate::unit::{self, DATE, Unit};
+use crate::unit::{self, DATE, QUATERNION, Unit};
 use crate::wheels::Wheels;
 use crate::wide;
 
@@ -34,6 +34,8 @@ pub(crate) struct Source {
     pub called: Vec<(String, usize)>,
     /// The file whose speed is taken instead of this one's.
     pub driven_by: Option<String>,
+    /// How the unit of its headings is known.
+    pub headings: Known,
     /// What encoders need besides.
     pub wheels: Wheels,
     /// The column that tells the rows of several robots apart.
@@ -58,6 +60,21 @@ pub(crate) struct Source {
     /// Why the file is refused, whatever it is read as.
     pub refused: Option<String>,
 }
+
+/// How a unit is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Known {
+    /// By its column's name and numbers.
+    Guessed,
+    /// It was guessed, and other rows of the log speak against that.
+    Doubted,
+    /// It was said.
+    Said,
+}
+
+/// Why the unit of headings is asked that was guessed.
+const OPPOSITE: &str = " As it was guessed, its headings turn the other way round than the motion says that the robot \
+                        does. If they are right, it is the motion whose turns have another sign.";
 
 /// The question of what a file is.
 #[derive(Clone, Debug, PartialEq)]
@@ -128,7 +145,9 @@ impl Source {
             if let Some(column) = self.columns[i] {
                 let day = value.quantity == Quantity::Day;
                 let what = if day { "order are the numbers of" } else { "unit is" };
-                asks.push(format!("In which {what} \u{201c}{}\u{201d}?", header[column]));
+                let doubted = value.quantity == Quantity::Heading && self.headings == Known::Doubted;
+                let why = if doubted { OPPOSITE } else { "" };
+                asks.push(format!("In which {what} \u{201c}{}\u{201d}?{why}", header[column]));
             } else {
                 let among: Vec<String> =
                     self.doubts[i].iter().map(|at| format!("\u{201c}{}\u{201d}", header[*at])).collect();
@@ -232,9 +251,27 @@ impl Source {
         self.clock_shift.filter(|_| self.other_clock.is_some())
     }
 
-    /// Forgets what was added to its times where these are others: they may need something else.
-    pub fn forget_shift(&mut self, value: &str) {
-        self.clock_shift = self.clock_shift.filter(|_| value != "time");
+    /// Whether the unit of its headings is a guess, and may be another one.
+    pub fn guesses_heading(&self) -> bool {
+        let unit = self.role.index("heading").and_then(|at| self.units[at]);
+        self.headings == Known::Guessed && unit.is_some_and(|unit| unit.name != QUATERNION)
+    }
+
+    /// Asks for the unit of its headings, which turn the other way round than the robot.
+    pub fn doubt_heading(&mut self) {
+        if let Some(at) = self.role.index("heading") {
+            (self.headings, self.units[at]) = (Known::Doubted, None);
+        }
+    }
+
+    /// Knows from now on so how a value is read. What was added to times is forgotten with them: others may need
+    /// something else.
+    pub fn known(&mut self, value: &str, known: Known) {
+        match value {
+            "heading" => self.headings = known,
+            "time" => self.clock_shift = None,
+            _ => {}
+        }
     }
 
     /// Whether a column's stamps are dates.

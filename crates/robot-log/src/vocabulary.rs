@@ -93,12 +93,12 @@ const WAYS: [(&str, &str); 21] = [
     (
         "x",
         "=x,=tx,position x,p x,pos x,pose x,robot x,true x,truth x,gt x,translation x,utm x,gps x,gnss x,fix x,rtk x,\
-         mocap x,vicon x,local x,x position,east,easting,ost,rechtswert,est,este",
+         mocap x,vicon x,local x,x position,east,easting,ost,rechtswert,est,este,gps e,gnss e,fix e,rtk e,utm e,enu e",
     ),
     (
         "y",
         "=y,=ty,position y,p y,pos y,pose y,robot y,true y,truth y,gt y,translation y,utm y,gps y,gnss y,fix y,rtk y,\
-         mocap y,vicon y,local y,y position,north,northing,nord,hochwert,norte",
+         mocap y,vicon y,local y,y position,north,northing,nord,hochwert,norte,gps n,gnss n,fix n,rtk n,utm n,enu n",
     ),
     (
         "heading",
