@@ -39,6 +39,10 @@ test('a landmark that stands elsewhere is taken there at a press, and where its 
   await take.waitFor()
   const report = () => page.evaluate(() => document.querySelector('.log-report')?.textContent ?? '')
   const before = await report()
+  // By keys what the verdict proposes is next to the map.
+  await page.getByRole('link', { name: 'See the map and the verdict' }).press('Enter')
+  for (const _ of ['the time of the drive', 'a press']) await page.keyboard.press('Tab')
+  assert.equal(await bar.evaluate((it) => it.contains(document.activeElement)), true, 'two steps from the link')
   await take.click()
   await answer.getByText('Landmark 2 is taken at (20').waitFor()
   const back = bar.getByRole('button', { name: 'Undo' })

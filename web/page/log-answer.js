@@ -77,6 +77,12 @@ export class Answer {
     const link = /** @type {HTMLAnchorElement} */ (part(document, part(document, this.box, 'p', 'log-lead'), 'a', ''))
     link.href = '#fig-own-log'
     link.textContent = 'See the map and the verdict'
+    // Keys go on there: a place that takes no focus would leave them with the page.
+    link.addEventListener('click', () => {
+      const figure = document.querySelector('#fig-own-log')
+      figure?.setAttribute('tabindex', '-1')
+      if (figure instanceof HTMLElement) figure.focus({ preventScroll: true })
+    })
   }
 
   /**

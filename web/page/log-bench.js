@@ -54,7 +54,9 @@ export class Bench {
     if (controls) strip.append(this.likelihood.box, ...controls.children, this.strip)
     controls?.append(strip)
     markMore(strip)
-    live.append(this.mend.box, this.view.box, this.why, this.sources.box, this.map.box)
+    // By keys what the verdict proposes comes next to it, before all that can be set.
+    live.querySelector('.verdict')?.after(this.mend.box, this.why)
+    live.append(this.view.box, this.sources.box, this.map.box)
     handOnTime(live, () => this.host.figure.run.frame, this.look)
     this.reveal(live.hasAttribute('data-why'))
   }

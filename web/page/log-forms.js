@@ -77,7 +77,7 @@ export class Forms {
       this.keep?.(patch, host.figure.run.wanted.params)
       this.change(patch)
     }
-    this.sensors = new SensorForm(box, this.change)
+    this.sensors = new SensorForm(box, this.change, () => this.host.figure.run?.parameters() ?? [])
     // The first readings tell it as they are read now: with the σ and the offsets that are set.
     const opening = async () => {
       const { found } = await host.figure.run.opening()

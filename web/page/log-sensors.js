@@ -18,9 +18,11 @@ export class SensorForm {
   /**
    * @param {HTMLElement} into
    * @param {(patch: Patch) => void} change
+   * @param {() => import('estimate-wasm').Parameter[]} parameters of the filter, with their bounds
    */
-  constructor(into, change) {
+  constructor(into, change, parameters) {
     this.change = change
+    this.parameters = parameters
     this.box = part(document, into, 'div', 'log-sensors')
     /** What shows a frame. @type {((frame: Frame) => void)[]} */
     this.shows = []
@@ -96,7 +98,11 @@ export class SensorForm {
 
   /** @param {HTMLElement} row @param {import('./log-numbers.js').Told} number */
   number(row, [name, words, scale, unit = 1]) {
-    const slider = numberSlider(row, words, scale, (value) => this.change({ [name]: value * unit }))
+    const bounds = () => {
+      const known = this.parameters().find((one) => one.name === name)
+      return known ? /** @type {[number, number]} */ ([known.least / unit, known.greatest / unit]) : null
+    }
+    const slider = numberSlider(row, words, scale, (value) => this.change({ [name]: value * unit }), bounds)
     // A scale that the filter learns is not told.
     this.shows.push(({ params }) =>
       slider.show(/** @type {any} */ (params)[name] / unit, name === 'scale' && params.learn),

@@ -18,10 +18,11 @@ const DIGITS = 3
  * @param {string} words
  * @param {Scale} scale
  * @param {(value: number) => void} change
+ * @param {() => [number, number] | null} bounds of the field
  */
-export function numberSlider(into, words, { ends: [min, max], step, log }, change) {
+export function numberSlider(into, words, { ends: [min, max], step, log }, change, bounds) {
   const box = part(document, into, 'div', 'log-number')
-  const field = numberField(box, words, change)
+  const field = numberField(box, words, change, bounds)
   const slider = /** @type {HTMLInputElement} */ (part(document, box, 'input', ''))
   for (const [name, value] of Object.entries({ type: 'range', min, max, step, 'aria-label': `${words}, slider` }))
     slider.setAttribute(name, String(value))

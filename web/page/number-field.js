@@ -6,25 +6,36 @@ import { part } from '../draw/dom.js'
  * @param {Element} into
  * @param {string} words its label
  * @param {(value: number) => void} change called with a number that the reader has entered
+ * @param {() => [number, number] | null} [bounds] from where to where it may be; another number is refused, and they
+ * are said
  * @returns {{ input: HTMLInputElement, show: (value: number | null) => void }} `show` leaves alone what is being typed
  */
-export function numberField(into, words, change) {
+export function numberField(into, words, change, bounds = () => null) {
   const label = part(document, into, 'label', '')
   part(document, label, 'span', '').textContent = words
   const input = /** @type {HTMLInputElement} */ (part(document, label, 'input', ''))
   input.type = 'text'
   input.inputMode = 'decimal'
+  const refused = part(document, label, 'span', 'field-refused')
+  refused.setAttribute('role', 'status')
+  /** @param {boolean} wrong @param {string} why */
+  const mark = (wrong, why) => {
+    input.toggleAttribute('aria-invalid', wrong)
+    refused.textContent = why
+  }
   input.addEventListener('change', () => {
     const value = numberOf(input.value)
-    input.toggleAttribute('aria-invalid', value === null)
-    if (value !== null) change(value)
+    const [least, most] = bounds() ?? [-Infinity, Infinity]
+    const beyond = value !== null && (value < least || value > most)
+    mark(value === null || beyond, beyond ? `${bound(least)} to ${bound(most)} are possible` : '')
+    if (value !== null && !beyond) change(value)
   })
   return {
     input,
     show(value) {
       if (document.activeElement === input) return
       input.value = value === null ? '' : fieldText(value)
-      input.removeAttribute('aria-invalid')
+      mark(false, '')
     },
   }
 }
@@ -37,6 +48,9 @@ export function numberField(into, words, change) {
 export function fieldText(value) {
   return String(Number(Math.abs(value) >= 1000 ? value.toFixed(3) : value.toPrecision(6)))
 }
+
+/** A bound as it is said. @param {number} value */
+const bound = (value) => fieldText(value).replace('-', '−')
 
 /** @param {string} text */
 export function numberOf(text) {
