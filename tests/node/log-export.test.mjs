@@ -27,12 +27,29 @@ const CAR = Array.from({ length: 60 }, (_, k) => {
   ].join('\n')
 }).join('\n')
 
+/** A robot by odometry that is driven evenly, its readings between the rows. */
+const EVEN = [
+  'L,1,6,2',
+  ...Array.from({ length: 60 }, (_, k) => {
+    const t = k / 4
+    const range = Math.hypot(6 - 0.4 * k * 0.3, 2) + 0.1 * Math.sin(3 * k)
+    return [
+      `D,${t},${(0.12 + 0.02 * Math.sin(k)).toFixed(3)},${(0.05 * Math.cos(k / 7)).toFixed(4)}`,
+      `R,${(t + 0.1 + 0.02 * (k % 3)).toFixed(2)},1,${range.toFixed(3)}`,
+    ].join('\n')
+  }),
+].join('\n')
+
 /** @type {Record<string, { text: string, params: Record<string, unknown> }>} */
 const LOGS = {
   'ranges and bearings': { text: ours('example.csv'), params: { sigmaRange: 0.1, bearingOffset: 0.02, offset: 0.05 } },
   'a gate, and a scale that was learned': {
     text: ours('plaza1.csv').split('\n').slice(0, 3000).join('\n'),
     params: { gate: 0.99, scale: 0.02, every: 0.5 },
+  },
+  'odometry that is driven evenly, and ranges that are late': {
+    text: EVEN,
+    params: { delaySighting: 0.07, sigmaRange: 0.2 },
   },
   'fixes and headings that are late': {
     text: CAR,
@@ -91,7 +108,7 @@ test('what was learned is in the program as a number', () => {
 })
 
 test('what is exported has the σ that was used: that which readings bring times its factor', () => {
-  const { frame, contents } = all[2]
+  const { frame, contents } = all[3]
   const text = robotLocalization(frame, contents)
   assert.match(text, /fixes: 1\.44 m² .* has no σ of its own;\n# {3}where it has one: that covariance times 2\.89;/)
   assert.match(text, /headings: .*;\n# {3}where it has one: that covariance times 0\.64;/)

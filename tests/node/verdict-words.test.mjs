@@ -260,7 +260,7 @@ test('odometry that reads too long or too short is said by factors, and by the w
   assert.match(sentence(odometry([{ ...sizes[0], value: 9, end: true }]), false, log), /mend their unit\.$/)
   const cleared = (more) =>
     ranked(judgement([...more, suspect({ standing: 'cleared' })]), { rows: 1000, truth: false, log })
-  assert.match(cleared([]), / A scale of the distances of O rows is not among them\./)
+  assert.match(cleared([]), / A scale of odometry’s distances is not among them\./)
   assert.doesNotMatch(cleared([{ ...odometry(sizes), standing: 'cleared' }]), /is not among them/)
 })
 

@@ -226,7 +226,7 @@ test('beside rows of distances a verdict without a fault says what it has not lo
   }
   assert.match(
     ranked(sound, { rows: 1, truth: false, log: { motion: 'odometry', names: [] } }),
-    / A scale of the distances of O rows is not among/,
+    / A scale of odometry’s distances is not among/,
   )
   assert.doesNotMatch(ranked(sound, { rows: 1, truth: false }), /not among/)
 })

@@ -43,8 +43,9 @@ export function filterpy(frame) {
 
 pip install filterpy; python3 filter.py LOG, where LOG has rows of the book's own format, in which the page's button
 "Download the log's rows" writes whatever log it has read:
-L,id,x,y landmark | G,t,x,y,theta truth | O,t,distance,turn | V,t,v,omega | S,t,v | T,t,omega | R,t,id,range
-B,t,id,range,bearing | P,t,x,y[,sigma] fix | H,t,theta[,sigma]; seconds, metres, radians.
+L,id,x,y landmark | G,t,x,y,theta truth | O,t,distance,turn driven at t | D,t,distance,turn driven evenly until t
+V,t,v,omega | S,t,v | T,t,omega | R,t,id,range | B,t,id,range,bearing | P,t,x,y[,sigma] fix | H,t,theta[,sigma]
+Seconds, metres, radians.
 ${learned ? 'What the filter learned is fixed here at what the log had taught where the page stood.\n' : ''}"""
 
 import json
@@ -94,26 +95,28 @@ def read(lines):
             rows.append((numbers[0] - DELAY["speed"], False, line, numbers[0], "S", numbers[1:2]))
             rows.append((numbers[0] - DELAY["turn"], False, line, numbers[0], "T", numbers[2:3]))
         else:
-            late = {"O": 0.0, "V": DELAY["speed"], "S": DELAY["speed"], "T": DELAY["turn"]}
+            late = {"D": 0.0, "O": 0.0, "V": DELAY["speed"], "S": DELAY["speed"], "T": DELAY["turn"]}
             delay = late[letter] if letter in late else DELAY[KINDS[letter]]
             rows.append((numbers[0] - delay, letter in KINDS, line, numbers[0], letter, numbers[1:]))
     return landmarks, min(truth, default=None), sorted(rows, key=lambda row: row[:3])
 
 
 class Robot(ExtendedKalmanFilter):
-    """The distance and the turn of a move are its input."""
+    """The distance, the turn and the heading of a move are its input."""
 
     def predict_x(self, u=0):
-        theta = self.x[2]
-        moved = [self.x[0] + u[0] * math.cos(theta), self.x[1] + u[0] * math.sin(theta), wrap(theta + u[1])]
-        self.x = np.array(moved)
+        distance, turn, heading = u
+        moved = [self.x[0] + distance * math.cos(heading), self.x[1] + distance * math.sin(heading)]
+        self.x = np.array([*moved, wrap(self.x[2] + turn)])
 
-    def move(self, distance, turn, dt):
-        c, s = math.cos(self.x[2]), math.sin(self.x[2])
+    def move(self, distance, turn, dt, on_the_way=False):
+        """Drives along the heading at the beginning, or, where the robot turns on the way, along that half-way."""
+        heading = self.x[2] + (turn / 2 if on_the_way else 0)
+        c, s = math.cos(heading), math.sin(heading)
         self.F = np.array([[1, 0, -distance * s], [0, 1, distance * c], [0, 0, 1]])
         b = np.array([[c, 0], [s, 0], [0, 1]])
         self.Q = b @ np.diag([SIGMA_DISTANCE**2, SIGMA_TURN**2]) @ b.T * dt
-        self.predict((distance, turn))
+        self.predict((distance, turn, heading))
 
     def correct(self, sensor, z, h, jacobian, r):
         """Takes a reading within its gate; the angle of a residual, its last entry, goes the short way round."""
@@ -132,6 +135,14 @@ class Robot(ExtendedKalmanFilter):
         self.x[2] = wrap(self.x[2])
 
 
+def share(way, last, before, time):
+    """How much of a D row's way is driven until a time, evenly from the last such row on; all of the first at once."""
+    if last is None:
+        return 1.0 if time >= way[0] else None
+    whole = way[0] - last
+    return min(max((time - max(before, last)) / whole, 0.0), 1.0) if whole > 0 else 1.0
+
+
 def replay(landmarks, truth, rows):
     """The robot behind the last row."""
     robot = Robot(dim_x=3, dim_z=2)
@@ -140,17 +151,24 @@ def replay(landmarks, truth, rows):
     if truth is not None:
         start, robot.x = truth[0], np.array(truth[1:4])
     robot.P = np.diag([START_SIGMA**2, START_SIGMA**2, START_SIGMA_HEADING**2])
-    by_odometry = any(row[4] == "O" for row in rows)
-    before, speed, rate, last = start, 0.0, 0.0, {}
-    for time, _, _, stamp, letter, numbers in rows:
+    by_odometry = any(row[4] in "DO" for row in rows)
+    # For each row the D row on whose way the robot is then.
+    ways = [None] * len(rows)
+    for at in reversed(range(len(rows))):
+        ways[at] = rows[at] if rows[at][4] == "D" else ways[at + 1] if at + 1 < len(rows) else None
+    before, speed, rate, last, ended = start, 0.0, 0.0, {}, None
+    for way, (time, _, _, stamp, letter, numbers) in zip(ways, rows):
         if time >= start:
             dt = max(time - before, 0.0)
-            if letter == "O":
-                robot.move(numbers[0], numbers[1], dt)
+            driven = 1.0 if letter == "O" else share(way, ended, before, time) if way else None
+            if driven is not None:
+                distance, turn = (way[5] if way else numbers)[:2]
+                robot.move(driven * distance, driven * turn, dt, way is not None)
             elif not by_odometry:
                 robot.move(speed * (1 + SPEED_SCALE) * dt, (rate - TURN_BIAS) * dt, dt)
-            if letter == "O" or not by_odometry:
+            if driven is not None or not by_odometry:
                 before = max(before, time)
+        ended = time if letter == "D" else ended
         if letter == "V":
             speed, rate = numbers
         elif letter == "S":

@@ -88,7 +88,7 @@ export function bentBy({ beyond, expected, readings, outliers }) {
  * @param {LogFound['numbers'][number]} number @param {number} ownDelay how long it may be then, seconds
  */
 export function isOfModel({ name, value, flat }, ownDelay) {
-  return name.startsWith('delay') && !flat && Math.abs(value) <= ownDelay
+  return name.startsWith('delay') && !flat && ownDelay > 0 && Math.abs(value) <= ownDelay
 }
 
 /**

@@ -8,7 +8,7 @@ use crate::log_corrections;
 use crate::log_file::texts;
 use crate::log_opening;
 use crate::object::Held;
-use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Settings, Summary, lacks, log_likelihood};
+use estimate::drive::{BySensor, Drive, Opening, Sensor, Settings, Summary, lacks, log_likelihood};
 use estimate::validate::finite;
 use estimate::{Code, Error, Landmark};
 use js_sys::JsString;
@@ -33,7 +33,7 @@ export interface LogContents {
     landmarks: Landmark[];
     /** What the files call the landmarks whose ids are 1, 2 and so on; empty where they have numbers. */
     names: string[];
-    /** How the robot's motion is logged: by O rows, or by rows that are held (V, S, T). */
+    /** How the robot’s motion is logged: by odometry (D, O), or by rows that are held (V, S, T). */
     motion: "odometry" | "velocity";
     /** What no row of held motion reads. */
     lacks: "speed" | "turn rate" | null;
@@ -141,7 +141,7 @@ impl DriveLog {
                 ("steps", held.logged.rows().into()),
                 ("span", crate::encode::list(&[first, last])),
                 ("landmarks", landmarks),
-                ("motion", if drive.motion == Motion::Odometry { "odometry" } else { "velocity" }.into()),
+                ("motion", if drive.motion.is_odometry() { "odometry" } else { "velocity" }.into()),
                 ("lacks", lacks(&drive.rows, drive.motion).map_or(JsValue::NULL, |lacking| lacking.name().into())),
                 ("readings", readings(drive)),
                 ("own", own(drive)),

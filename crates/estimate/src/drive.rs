@@ -46,6 +46,7 @@ mod sensor;
 mod settings;
 mod smoother;
 mod statistics;
+mod step;
 mod summary;
 mod suspect;
 mod times;

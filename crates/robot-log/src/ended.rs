@@ -24,7 +24,7 @@ pub(crate) fn ended(drive: &Drive) -> Vec<String> {
     let rows = &drive.rows;
     let (speed, turn) = (missing(rows, Event::has_speed, LEAST), missing(rows, Event::has_turn_rate, LEAST));
     let found = match drive.motion {
-        Motion::Odometry => {
+        Motion::Odometry | Motion::EvenOdometry => {
             [missing(rows, Event::is_motion, LEAST).map(|of| ("motion", of, "the robot is taken to stand")), None]
         }
         Motion::Velocity if speed == turn => {

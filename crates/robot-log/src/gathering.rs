@@ -102,18 +102,21 @@ impl Gathering {
         self.poses.push(pose);
     }
 
-    /// A row of motion, which begins at `place`.
-    pub fn motion(&mut self, place: CellPlace, row: Row) -> Result<(), Error> {
+    /// A row of motion, which begins at `place`; `even`, what it says of odometry was driven evenly.
+    pub fn motion(&mut self, place: CellPlace, row: Row, even: bool) -> Result<(), Error> {
         let (motion, letter) = match row.event {
             Event::Velocity { .. } => (Motion::Velocity, "V"),
             Event::Speed { .. } => (Motion::Velocity, "S"),
             Event::TurnRate { .. } => (Motion::Velocity, "T"),
+            _ if even => (Motion::EvenOdometry, "D"),
             _ => (Motion::Odometry, "O"),
         };
         let (first, known) = *self.motion.get_or_insert((motion, letter));
         if first != motion {
-            let held = if motion == Motion::Velocity { letter } else { known };
-            return Err(place.refuse(format!("the log has O rows and {held} rows; a log moves by one kind")));
+            let pair = [known, letter];
+            let odometry = if pair.contains(&"O") { "O" } else { "D" };
+            let other = pair.into_iter().find(|letter| *letter != odometry).unwrap_or(letter);
+            return Err(place.refuse(format!("the log has {odometry} rows and {other} rows; a log moves by one kind")));
         }
         self.reading(row);
         Ok(())
@@ -201,7 +204,7 @@ impl Gathering {
             });
         }
         let Some((motion, _)) = self.motion else {
-            let message = "the log has no motion; O, V, S or T rows were expected";
+            let message = "the log has no motion; D, O, V, S or T rows were expected";
             return Err(CellPlace { column: 1, ..last }.refuse(message));
         };
         // The sort is stable: rows of one time and kind stay in the order of their lines.

@@ -99,7 +99,7 @@ fn is_log(text: &str) -> bool {
     let rows = || text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')).take(40);
     let letter = |line: &str| {
         let mut letters = line.trim_start_matches(['"', '\'']).chars();
-        let first = letters.next().is_some_and(|c| "LGOVSTRBPH".contains(c));
+        let first = letters.next().is_some_and(|c| "LGDOVSTRBPH".contains(c));
         first && letters.next().is_some_and(|c| !c.is_alphanumeric() && c != '_')
     };
     let strange = rows().any(|line| line.contains(['\0', '\u{fffd}']));

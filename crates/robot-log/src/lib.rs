@@ -8,7 +8,8 @@
 //! |---|---|
 //! | `L,id,x,y` | a landmark at a known place; the id is a whole number; m |
 //! | `G,t,x,y,theta` | the truth, where it is known; s, m, rad |
-//! | `O,t,distance,turn` | odometry since the `O` row before; m, rad |
+//! | `D,t,distance,turn` | odometry since the `D` row before, driven evenly on the way from there; m, rad |
+//! | `O,t,distance,turn` | odometry since the `O` row before, driven at `t`; m, rad |
 //! | `V,t,v,omega` | a velocity: a speed and a turn rate in one row; m/s, rad/s |
 //! | `S,t,v` | a speed, held until the next `S` or `V` row; m/s |
 //! | `T,t,omega` | a turn rate, held until the next `T` or `V` row; rad/s |
@@ -17,7 +18,7 @@
 //! | `P,t,x,y[,sigma]` | a fix of the position, with its own standard deviation if it has one; m |
 //! | `H,t,theta[,sigma]` | a heading (compass, course), with its own standard deviation if it has one; rad |
 //!
-//! A log moves by `O` rows or by held rows (`V`, `S`, `T`), not by both. Rows may stand in any order: [`parse`] answers
+//! A log moves by `D` rows, by `O` rows or by held rows (`V`, `S`, `T`), and by one kind alone. Rows may stand in any order: [`parse`] answers
 //! them by time, at equal times motion before readings, then by line. What a log says is an
 //! [`estimate::drive::Drive`], which [`estimate::drive::Replay`] filters: from the first true pose on, else from the
 //! first fix, else from the first row. Rows of held motion before that say what is held, and others are skipped.

@@ -21,8 +21,8 @@ const GPS: f64 = 18.0;
 /// From when to when something was read, s.
 pub(crate) type Span = [f64; 2];
 
-/// When the rows of a file were, and when those of them that say how the robot moved; `None` where there are none. Which
-/// of the rows of all files are its own: from one to before another.
+/// When the rows of a file were, and when those of them that say how the robot moved; `None` where there are none.
+/// Which of the rows of all files are its own: from one to before another.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Times {
     pub all: Option<Span>,

@@ -35,7 +35,7 @@ pub(crate) fn gather(text: &str, file: usize, to: &mut Gathering) -> Result<(), 
         match row {
             Read::Landmark(landmark) => to.landmark(place(1), landmark)?,
             Read::Truth(pose) => to.truth(pose),
-            Read::Motion(row) => to.motion(start, row)?,
+            Read::Motion(row, even) => to.motion(start, row, even)?,
             Read::Pose(row) => to.reading(row),
             Read::Sighting(row, id) => to.sighting(place(2), row, id, Unplaced::Refused),
         }

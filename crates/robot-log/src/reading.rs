@@ -225,7 +225,7 @@ impl LogReader {
 
     fn motion(&mut self, start: CellPlace, time: f64, event: Event) -> Result<(), Error> {
         self.to.begin(start)?;
-        self.to.motion(start, Row::new(time, event))
+        self.to.motion(start, Row::new(time, event), true)
     }
 
     fn sighting(&mut self, place: CellPlace, row: Row, seen: u32) {

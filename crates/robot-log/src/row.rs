@@ -9,13 +9,14 @@ use estimate::drive::{Event, Pose, Row};
 pub const MAX_TIME: f64 = 1e11;
 
 /// The letters, as an error lists them.
-const LETTERS: &str = "L, G, O, V, S, T, R, B, P or H";
+const LETTERS: &str = "L, G, D, O, V, S, T, R, B, P or H";
 
 /// A row as it is read, where a sighting names its landmark by id and may stand before it.
 pub(crate) enum Read {
     Landmark(Landmark),
     Truth(Pose),
-    Motion(Row),
+    /// Whether odometry of it was driven evenly.
+    Motion(Row, bool),
     /// A reading of the robot's own position or heading.
     Pose(Row),
     /// The row has no landmark's index yet.
@@ -32,6 +33,7 @@ pub(crate) fn read(line: &Line<'_>) -> Result<Read, Error> {
     let form = match letter.text {
         "L" => "L,id,x,y",
         "G" => "G,t,x,y,theta",
+        "D" => "D,t,distance,turn",
         "O" => "O,t,distance,turn",
         "V" => "V,t,v,omega",
         "S" => "S,t,v",
@@ -59,10 +61,13 @@ pub(crate) fn read(line: &Line<'_>) -> Result<Read, Error> {
     Ok(match letter.text {
         "L" => Read::Landmark(Landmark { id: id(1)?, x: number(2)?, y: number(3)? }),
         "G" => Read::Truth(Pose { time: time()?, x: number(2)?, y: number(3)?, theta: number(4)? }),
-        "O" => Read::Motion(Row::new(time()?, Event::Odometry { distance: number(2)?, turn: number(3)? })),
-        "V" => Read::Motion(Row::new(time()?, Event::Velocity { v: number(2)?, omega: number(3)? })),
-        "S" => Read::Motion(Row::new(time()?, Event::Speed { v: number(2)? })),
-        "T" => Read::Motion(Row::new(time()?, Event::TurnRate { omega: number(2)? })),
+        even @ ("D" | "O") => {
+            let row = Row::new(time()?, Event::Odometry { distance: number(2)?, turn: number(3)? });
+            Read::Motion(row, even == "D")
+        }
+        "V" => Read::Motion(Row::new(time()?, Event::Velocity { v: number(2)?, omega: number(3)? }), false),
+        "S" => Read::Motion(Row::new(time()?, Event::Speed { v: number(2)? }), false),
+        "T" => Read::Motion(Row::new(time()?, Event::TurnRate { omega: number(2)? }), false),
         "P" => Read::Pose(Row::new(time()?, Event::Position { x: number(2)?, y: number(3)?, sigma: sigma(4)? })),
         "H" => Read::Pose(Row::new(time()?, Event::Heading { theta: number(2)?, sigma: sigma(3)? })),
         "R" => {

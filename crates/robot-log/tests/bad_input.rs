@@ -79,6 +79,8 @@ fn a_negative_range_is_refused() {
 fn odometry_and_velocities_in_one_log_are_refused() {
     assert_refused("O,0.5,0.1,0.02\nV,0.6,1,0\n", [2, 1], "O rows and V rows");
     assert_refused("V,0.5,0.1,0.02\nO,0.6,1,0\n", [2, 1], "O rows and V rows");
+    assert_refused("D,0.5,0.1,0.02\nO,0.6,1,0\n", [2, 1], "O rows and D rows");
+    assert_refused("D,0.5,0.1,0.02\nV,0.6,1,0\n", [2, 1], "D rows and V rows");
 }
 
 #[test]

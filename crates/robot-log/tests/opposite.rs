@@ -31,8 +31,8 @@ fn a_compass_counted_the_other_way_is_asked_for_its_unit_until_that_is_said() {
     for unit in ["deg", "deg from north"] {
         let mut log = log(false, 3.0);
         let asked = log.read().expect_err("the other way").message;
-        let words = "mag.csv asks: In which unit is \u{201c}compass_deg\u{201d}? As it was guessed, its headings turn the \
-                     other way round than the motion says that the robot does.";
+        let words = "mag.csv asks: In which unit is \u{201c}compass_deg\u{201d}? As it was guessed, its headings turn \
+                     the other way round than the motion says that the robot does.";
         assert!(asked.starts_with(words), "{asked}");
         assert!(log.set_unit(1, "heading", unit));
         log.compare();

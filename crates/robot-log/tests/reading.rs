@@ -37,6 +37,17 @@ fn a_log_is_its_rows_in_the_order_of_time() {
 }
 
 #[test]
+fn odometry_is_driven_evenly_in_rows_of_its_own_and_in_tables() {
+    let rows = parse(&SOUND.replace("O,", "D,")).expect("sound").drive;
+    assert_eq!(rows, estimate::drive::Drive { motion: Motion::EvenOdometry, ..parse(SOUND).expect("sound").drive });
+    let mut files = robot_log::Files::default();
+    files.add("odometry.csv", "time_s,distance_m,dtheta_rad\n0.5,0.1,0.02\n1.0,0.2,0.03\n").expect("short");
+    let read = files.read().expect("sound").log.drive;
+    assert_eq!(read.motion, Motion::EvenOdometry);
+    assert_eq!(read.rows[1].event, Event::Odometry { distance: 0.2, turn: 0.03 });
+}
+
+#[test]
 fn at_one_time_motion_comes_before_sightings_and_lines_keep_their_order() {
     let log = parse("R,1,7,1\nR,1,7,2\nV,1,0,0\nL,7,0,0\nV,-0.0,1,1\nR,0,7,3\n").expect("sound");
     let kinds: Vec<(f64, f64)> = log

@@ -177,7 +177,7 @@ impl World {
             let off = [place, place, heading].map(|sigma| sigma * noise.normal());
             settings.start = Some([begin[0] + off[0], begin[1] + off[1], begin[2] + off[2]]);
         }
-        let motion = if self.odometry { Motion::Odometry } else { Motion::Velocity };
+        let motion = if self.odometry { Motion::EvenOdometry } else { Motion::Velocity };
         let truth = Truth::new(if truth { poses } else { Vec::new() });
         Log { drive: Drive { landmarks, truth, rows, motion }, settings }
     }

@@ -65,7 +65,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
 }
 
 /** Headings alone do not tell it. */
-const UNSOUGHT = ' A scale of the distances of O rows is not among them.'
+const UNSOUGHT = ' A scale of odometry’s distances is not among them.'
 
 /** @param {LogJudgement} judgement @param {boolean} truth @param {Log | null} log */
 function sentences(judgement, truth, log) {
@@ -141,6 +141,7 @@ function inPart({ fault, own, name, sizes: [size] }, { period, ownDelay, halfTur
   if (name === 'bearingOffset' && size.sigma !== null && Math.abs(halfTurn) > size.sigma / 2)
     return `${fixed(halfTurn * DEGREES, 2)}° of that may be the motion model’s own, half of the turn of a step.`
   if (fault !== 'clock') return own ? DILUTED : ''
+  if (ownDelay === 0) return ''
   const step = ownStep({ period, ownDelay })
   if (Math.abs(size.value - size.now) > 2 * period)
     return size.sigma !== null && size.sigma < period / 2

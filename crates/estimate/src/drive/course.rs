@@ -4,26 +4,12 @@ use crate::drive::learned::Which;
 use crate::drive::row::{Drive, Event, Motion};
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::settings::{Delays, Settings};
+use crate::drive::step::{Step, order, step, way, ways};
 use crate::error::Error;
 use crate::landmark::Landmark;
 use alloc::vec::Vec;
-use core::cmp::Ordering;
 use filters::consistency::chi2_quantile;
 use geom::SE2;
-
-/// What of a row was measured at one time: all of it, or of a `V` row whose two delays differ its speed or its turn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Step {
-    /// The row's index.
-    pub row: usize,
-    /// Its stamp, s.
-    pub stamp: f64,
-    /// When it was measured: the stamp less the delay, s.
-    pub time: f64,
-    pub event: Event,
-    /// Whether the row counts as taken with this step: a `V` in two halves does with its turn.
-    pub counts: bool,
-}
 
 /// A row is passed over where it comes more than this before its turn, s: stamps that are a period apart to rounding
 /// are a period apart.
@@ -77,6 +63,9 @@ pub struct Course {
     /// turn is a step of its own.
     order: Option<Vec<u32>>,
     splits: bool,
+    /// Of odometry that is driven evenly, for each step the row of odometry that is next, itself included; behind the
+    /// last none.
+    ways: Vec<u32>,
     steps: usize,
     start: f64,
     pose: SE2,
@@ -112,8 +101,13 @@ impl Course {
         let steps = order.as_ref().map_or(drive.rows.len(), Vec::len);
         let (start, pose, motion) = (0.0, SE2::new(0.0, 0.0, 0.0), drive.motion);
         let otherwise = Otherwise::default();
+        let ways = match motion {
+            Motion::EvenOdometry => ways(drive, order.as_deref()),
+            _ => Vec::new(),
+        };
         let map = None;
-        let mut course = Self { settings, motion, order, splits, steps, start, pose, gates, sensors, otherwise, map };
+        let mut course =
+            Self { settings, motion, order, splits, ways, steps, start, pose, gates, sensors, otherwise, map };
         if let Some(first) = drive.truth.poses().first() {
             course.start = first.time;
             course.pose = SE2::new(first.x, first.y, first.theta);
@@ -234,7 +228,8 @@ impl Course {
             None => u32::try_from(2 * position).ok()?,
             Some(order) => *order.get(position)?,
         };
-        step(drive, code, &self.settings.delays)
+        let step = step(drive, code, &self.settings.delays)?;
+        Some(Step { way: self.ways.get(position).and_then(|row| way(drive, *row)), ..step })
     }
 
     /// Which numbers are learned.
@@ -251,48 +246,4 @@ impl Course {
     pub(crate) fn splits(&self) -> bool {
         self.splits
     }
-}
-
-/// The steps of a drive by the time of their measurement.
-fn order(drive: &Drive, delays: &Delays) -> Vec<u32> {
-    let splits = delays.speed != delays.turn;
-    let mut codes = Vec::with_capacity(drive.rows.len());
-    for (code, row) in (0..).step_by(2).zip(&drive.rows) {
-        if splits && matches!(row.event, Event::Velocity { .. }) {
-            codes.push(code + 1);
-        }
-        codes.push(code);
-    }
-    codes.sort_by(|a, b| compare(drive, delays, [*a, *b]));
-    codes
-}
-
-/// Which of two codes is measured first. Not in line, since a sort has dozens of comparisons.
-#[inline(never)]
-fn compare(drive: &Drive, delays: &Delays, codes: [u32; 2]) -> Ordering {
-    let key = |code: u32| {
-        let row = &drive.rows[(code >> 1) as usize];
-        let time = step(drive, code, delays).map_or(row.time, |step| step.time);
-        (time, !row.event.is_motion(), row.line)
-    };
-    let [(a, reads, line), (b, other_reads, other_line)] = codes.map(key);
-    a.total_cmp(&b).then_with(|| (reads, line).cmp(&(other_reads, other_line)))
-}
-
-/// The step of a code.
-fn step(drive: &Drive, code: u32, delays: &Delays) -> Option<Step> {
-    let index = (code >> 1) as usize;
-    let row = drive.rows.get(index)?;
-    let counts = code & 1 == 0;
-    let (event, delay) = match row.event {
-        Event::Velocity { v, .. } if !counts => (Event::Speed { v }, delays.speed),
-        Event::Velocity { omega, .. } if delays.speed != delays.turn => (Event::TurnRate { omega }, delays.turn),
-        Event::Velocity { .. } | Event::TurnRate { .. } => (row.event, delays.turn),
-        Event::Speed { .. } => (row.event, delays.speed),
-        Event::Odometry { .. } => (row.event, 0.0),
-        Event::Position { .. } => (row.event, delays.fix),
-        Event::Heading { .. } => (row.event, delays.heading),
-        Event::Range { .. } | Event::RangeBearing { .. } => (row.event, delays.sighting),
-    };
-    Some(Step { row: index, stamp: row.time, time: row.time - delay, event, counts })
 }

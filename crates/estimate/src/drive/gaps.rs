@@ -55,7 +55,7 @@ pub struct Gaps {
 /// assert_eq!((found.len(), found[0].what, found[0].count, found[0].longest), (1, Missing::Held, 1, [1.9, 4.0]));
 /// ```
 pub fn gaps(rows: &[Row], motion: Motion) -> Vec<Gaps> {
-    if motion == Motion::Odometry {
+    if motion.is_odometry() {
         return of(rows, Missing::Odometry, Event::is_motion).into_iter().collect();
     }
     let speed = of(rows, Missing::Speed, Event::has_speed);
@@ -79,7 +79,7 @@ pub fn gaps(rows: &[Row], motion: Motion) -> Vec<Gaps> {
 pub fn lacks(rows: &[Row], motion: Motion) -> Option<Missing> {
     let has = |is: fn(&Event) -> bool| rows.iter().any(|row| is(&row.event));
     match motion {
-        Motion::Odometry => None,
+        Motion::Odometry | Motion::EvenOdometry => None,
         Motion::Velocity if !has(Event::has_turn_rate) => Some(Missing::TurnRate),
         Motion::Velocity if !has(Event::has_speed) => Some(Missing::Speed),
         Motion::Velocity => None,

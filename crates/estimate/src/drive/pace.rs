@@ -1,7 +1,7 @@
 //! How far a robot drives in a second: what the noise of its distance is to be held against.
 
 use crate::drive::judgement::{own_delay, period};
-use crate::drive::row::{Drive, Event};
+use crate::drive::row::{Drive, Event, Motion};
 use crate::drive::settings::Settings;
 
 /// What a fit's numbers are held against.
@@ -52,8 +52,11 @@ pub(crate) fn pace(drive: &Drive, settings: &Settings) -> f64 {
     if time > 0.0 { (1.0 + settings.speed_scale) * way / time } else { 0.0 }
 }
 
-/// Half of the mean turn of a step, rad, counted by its distance; 0 where the robot never drives.
+/// Half of the mean turn of a step, rad, counted by its distance; 0 where the robot never drives, or turns on its way.
 pub(crate) fn half_turn(drive: &Drive) -> f64 {
+    if drive.motion == Motion::EvenOdometry {
+        return 0.0;
+    }
     let sum = |(way, turned), Step { distance, turn, .. }: Step| (way + distance.abs(), turned + distance.abs() * turn);
     let (way, turned) = steps(drive).fold((0.0, 0.0), sum);
     if way > 0.0 { 0.5 * turned / way } else { 0.0 }
@@ -62,7 +65,7 @@ pub(crate) fn half_turn(drive: &Drive) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drive::row::{Motion, Row};
+    use crate::drive::row::Row;
     use crate::drive::truth::Truth;
     use alloc::vec::Vec;
 
@@ -93,6 +96,7 @@ mod tests {
         };
         let o = |distance, turn| Event::Odometry { distance, turn };
         assert!((half(Motion::Odometry, &[o(0.3, 0.1), o(-0.1, 0.3), o(0.0, 9.0)]) - 0.075).abs() < 1e-12);
+        assert_eq!(half(Motion::EvenOdometry, &[o(0.3, 0.1), o(-0.1, 0.3)]), 0.0);
         let v = |v, omega| Event::Velocity { v, omega };
         assert!((half(Motion::Velocity, &[v(1.0, 0.2), v(0.0, 5.0), v(1.0, 0.0)]) - 0.05).abs() < 1e-12);
         assert_eq!(half(Motion::Velocity, &[v(0.0, 1.0), v(0.0, 1.0)]), 0.0);

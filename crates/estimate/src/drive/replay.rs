@@ -1,12 +1,13 @@
 //! The replay of a drive, row by row.
 
-use crate::drive::course::{Course, Fate, Otherwise, Step};
+use crate::drive::course::{Course, Fate, Otherwise};
 use crate::drive::filter::{Filter, Move};
 use crate::drive::learned::Rolling;
 use crate::drive::read::reading;
 use crate::drive::row::{Drive, Event, Motion};
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::statistics::{Errors, Judged, Statistics};
+use crate::drive::step::Step;
 use crate::drive::summary::Summary;
 use crate::error::{Code, Error};
 use crate::reading::Setup;
@@ -36,7 +37,8 @@ pub struct Taken {
 /// Over dt seconds, with the distance d and the turn a at the heading θ,
 /// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v
 /// and turn rates ω are held and move the estimate to the time of every later row, by d = v (1 + κ) dt and
-/// a = (ω − b) dt. A reading is gated by its d² and taken in Joseph's form.
+/// a = (ω − b) dt. `D` rows bring d and a that were driven evenly since the row before: they move the estimate to the
+/// time of every later row by the share of that time, along the heading half-way through its turn, θ + a/2. A reading is gated by its d² and taken in Joseph's form.
 ///
 /// # Example
 /// ```
@@ -69,6 +71,8 @@ pub struct Replay {
     time: f64,
     /// v and ω, as they are held.
     held: Vector2<f64>,
+    /// When the last row of odometry was, s; not a number before the first.
+    odometry: f64,
     /// The stamp of the last row of each sensor that was not passed over.
     last: BySensor<f64>,
     statistics: Statistics,
@@ -85,6 +89,7 @@ impl Replay {
             rows: 0,
             time: course.start(),
             held: Vector2::zeros(),
+            odometry: f64::NAN,
             last: BySensor::all(f64::NEG_INFINITY),
             statistics: Statistics::default(),
             errors: Errors::default(),
@@ -143,15 +148,28 @@ impl Replay {
         }
         let dt = (step.time - self.time).max(0.0);
         let Otherwise { arcs, mirrored, driven: [far, much], .. } = *course.otherwise();
-        let u = match step.event {
-            Event::Odometry { distance, turn } => Vector2::new((1.0 + far) * distance, (1.0 + much) * turn),
+        let u = match (step.way, step.event) {
+            (Some(way), _) => self.on(way, step.time)?.component_mul(&Vector2::new(1.0 + far, 1.0 + much)),
+            (None, Event::Odometry { distance, turn }) => Vector2::new((1.0 + far) * distance, (1.0 + much) * turn),
             _ if course.moves_by() == Motion::Velocity => self.held * dt,
             _ => return None,
         };
         let u = if mirrored { Vector2::new(u[0], -u[1]) } else { u };
         let s = course.settings();
         let noise = Matrix2::new(s.sigma_distance * s.sigma_distance, 0.0, 0.0, s.sigma_turn * s.sigma_turn) * dt;
+        // What is driven evenly turns on the way.
+        let arcs = arcs || step.way.is_some();
         Some(Move { u, rolling: Rolling { dt, speed_scale: s.speed_scale, turn_bias: s.turn_bias, arcs }, noise })
+    }
+
+    /// What of a row of odometry is driven until `time`, evenly from the row before on; all of the first at its end.
+    fn on(&self, [end, distance, turn]: [f64; 3], time: f64) -> Option<Vector2<f64>> {
+        let all = Vector2::new(distance, turn);
+        if self.odometry.is_nan() {
+            return (time >= end).then_some(all);
+        }
+        let (whole, part) = (end - self.odometry, time - self.time.max(self.odometry));
+        Some(if whole > 0.0 { all * (part / whole).clamp(0.0, 1.0) } else { all })
     }
 
     /// Moves the estimate, and its time, to a step.
@@ -169,6 +187,7 @@ impl Replay {
             Event::Velocity { v, omega } => self.held = Vector2::new(v, omega),
             Event::Speed { v } => self.held[0] = v,
             Event::TurnRate { omega } => self.held[1] = omega,
+            Event::Odometry { .. } => self.odometry = step.time,
             _ => {}
         }
         let early = step.time < course.start();

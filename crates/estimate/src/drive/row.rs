@@ -88,10 +88,19 @@ impl Row {
 /// How a log says that the robot moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motion {
-    /// By distance and turn since the row before.
+    /// By distance and turn since the row before, driven at the row's time: between two rows the robot stands.
     Odometry,
+    /// By distance and turn since the row before, driven evenly on the way from that row to this one.
+    EvenOdometry,
     /// By speeds and turn rates, each held until the next.
     Velocity,
+}
+
+impl Motion {
+    /// Whether it is by distances and turns, and not by speeds and turn rates.
+    pub fn is_odometry(self) -> bool {
+        self != Self::Velocity
+    }
 }
 
 /// A logged drive.

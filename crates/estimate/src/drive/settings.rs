@@ -183,7 +183,7 @@ impl Settings {
             limit(from <= to, "withheld", "ends before it begins")?;
         }
         self.check_delays()?;
-        if motion == Motion::Odometry { self.check_odometry() } else { Ok(()) }
+        if motion.is_odometry() { self.check_odometry() } else { Ok(()) }
     }
 
     fn check_delays(&self) -> Result<(), Error> {
@@ -213,7 +213,7 @@ impl Settings {
             ("delaySpeed", self.delays.speed != 0.0),
             ("delayTurn", self.delays.turn != 0.0),
         ] {
-            limit(!asked, name, "is of speeds and turn rates; this log moves by O rows, which have neither")?;
+            limit(!asked, name, "is of speeds and turn rates; this log moves by odometry, which has neither")?;
         }
         Ok(())
     }

@@ -1,11 +1,12 @@
 //! The best track afterwards: the states of a replay in the light of all its readings (Rauch, Tung and Striebel 1965).
 
-use crate::drive::course::{Course, Step};
+use crate::drive::course::Course;
 use crate::drive::filter::Filter;
 use crate::drive::learned::{Moved, Rolling};
 use crate::drive::replay::{Replay, Taken};
 use crate::drive::row::{Drive, Event};
 use crate::drive::statistics::Errors;
+use crate::drive::step::Step;
 use crate::drive::summary::{Summary, Withheld};
 use crate::ekf::Localizer;
 use crate::error::{Code, Error};

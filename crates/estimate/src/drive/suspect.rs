@@ -4,7 +4,7 @@ use crate::drive::course::Course;
 use crate::drive::evidence::{Against, Trial};
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
-use crate::drive::row::{Drive, Event, Motion};
+use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::Sensor;
 use crate::drive::settings::MAX_DELAY;
 use alloc::vec::Vec;
@@ -145,7 +145,7 @@ impl Tried {
         let turning = drive.rows.iter().any(|row| turns(&row.event));
         let placed = has.fix && s.fixes || s.sightings && (has.range || has.bearing);
         let others = [
-            (Self::Odometry(1 + usize::from(turning)), placed && drive.motion == Motion::Odometry),
+            (Self::Odometry(1 + usize::from(turning)), placed && drive.motion.is_odometry()),
             (Self::Together(read), read.iter().filter(|it| **it).count() > 1),
             (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
             (Self::Mirrored, turning),

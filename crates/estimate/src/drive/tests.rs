@@ -6,6 +6,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use geom::SE2;
 use nalgebra::{DMatrix, Matrix3};
 
+mod even;
 mod opening;
 mod opening_ranges;
 mod sensors;

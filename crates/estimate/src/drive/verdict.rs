@@ -218,7 +218,7 @@ impl Verdict {
         let Some((own, place)) = self.first.found.iter().find(|(suspect, _)| likely(suspect)) else {
             return false;
         };
-        if !is_own(drive, own, &self.first, &self.scope, 0.5 * self.period) {
+        if !is_own(drive, own, &self.first, &self.scope, own_delay(self.motion, true, self.period)) {
             return false;
         }
         let tried: Vec<Tried> = self.first.tried.iter().copied().filter(|tried| *tried != own.tried()).collect();

@@ -1,7 +1,7 @@
 //! A log written in the book's own format, whatever it was read from.
 
 use super::table::write;
-use estimate::drive::{Drive, Event};
+use estimate::drive::{Drive, Event, Motion};
 
 /// What is written of a log next: its landmarks, its true poses, then its rows in the order of their lines, so that of
 /// rows measured at one time the same one is taken first when the text is read.
@@ -47,7 +47,10 @@ impl Rows {
 fn event(drive: &Drive, time: f64, event: &Event, to: &mut String) {
     let id = |at: usize| f64::from(drive.landmarks[at].id);
     match *event {
-        Event::Odometry { distance, turn } => line("O", &[time, distance, turn], None, to),
+        Event::Odometry { distance, turn } => {
+            let letter = if drive.motion == Motion::EvenOdometry { "D" } else { "O" };
+            line(letter, &[time, distance, turn], None, to);
+        }
         Event::Velocity { v, omega } => line("V", &[time, v, omega], None, to),
         Event::Speed { v } => line("S", &[time, v], None, to),
         Event::TurnRate { omega } => line("T", &[time, omega], None, to),
