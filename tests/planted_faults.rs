@@ -1,7 +1,7 @@
 //! Verdicts on logs with one planted fault, and on logs without any. Natively only.
 
 use chapter_tests::planted::{ARCS, EACH, FAULTS, Log, SOUND, WORLDS, judged, planted, sound};
-use estimate::drive::{Event, Fault, Fit, Fitted, Settings, Standing, Suspect};
+use estimate::drive::{Event, Fault, Fit, Fitted, Motion, Settings, Standing, Suspect};
 
 /// Whether a size is at least two of its own standard deviations away from what is set; outliers are counted.
 fn clear(Suspect { fault, number, sizes, .. }: &Suspect) -> bool {
@@ -211,6 +211,7 @@ fn a_fit_ends_where_another_finds_no_better() {
 #[test]
 fn a_delay_beside_odometry_is_told_as_a_stair() {
     let mut log = WORLDS[4].sound(7500, false);
+    log.drive.motion = Motion::Odometry;
     later(&mut log, 0.35);
     let Suspect { number, flat: Some([from, to]), .. } = first(&log) else { panic!("a stair") };
     assert!(number == Some(Fitted::DelaySighting) && (from - 0.25).abs() < 0.02 && (to - 0.35).abs() < 0.02);
@@ -218,9 +219,13 @@ fn a_delay_beside_odometry_is_told_as_a_stair() {
     while fit.step(&log.drive).expect("a replay") {}
     let [(Fitted::DelaySighting, [from, to])] = fit.found().flat[..] else { panic!("a stair") };
     assert!((from - 0.25).abs() < 0.02 && (to - 0.35).abs() < 0.02, "{from} {to}");
-    let held = &mut WORLDS[0].sound(7500, false);
-    later(held, 0.35);
-    assert_eq!(first(held).flat, None, "speeds that are held drive on in between");
+    for world in [0, 4] {
+        let mut log = WORLDS[world].sound(7500, false);
+        later(&mut log, 0.35);
+        let Suspect { flat, sizes, .. } = first(&log);
+        assert_eq!(flat, None, "what is held, or driven evenly, drives on in between");
+        assert!((sizes[0].value - 0.35).abs() < 3.0 * sizes[0].sigma, "{world} {sizes:?}");
+    }
 }
 
 #[test]

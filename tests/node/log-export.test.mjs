@@ -165,7 +165,7 @@ test('the configuration of robot_localization is YAML of its parameters, of thei
       assert.ok(Math.abs(written[i] - square) <= 1e-12 * Math.min(1, square), `${name}: ${written} and ${squares}`)
     assert.match(text, /A measurement’s covariance comes with each message/)
   }
-  const [, , { frame, contents }] = all
+  const [, , , { frame, contents }] = all
   const late = robotLocalization(frame, contents)
   assert.match(late, /pose0: fix\/pose[\s\S]*pose0_rejection_threshold: 2\.447/)
   assert.match(late, /smooth_lagged_data: true\n +history_length: 2\.0/)

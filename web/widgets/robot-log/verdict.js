@@ -64,6 +64,8 @@ export function ranked(judgement, { rows, truth, log = null }) {
   return parts.filter(Boolean).join(' ')
 }
 
+/** What brings more than this has bent what else was found. */
+const LARGE = 30
 /** Headings alone do not tell it. */
 const UNSOUGHT = ' A scale of odometry’s distances is not among them.'
 
@@ -80,7 +82,7 @@ function sentences(judgement, truth, log) {
   const gain = beside
     ? `Even with a σ so large that it allows for the other errors, the log-likelihood rises by ${rise(first.gain)}.`
     : `The log-likelihood rises by ${rise(first.gain)}.`
-  const more = others.some(({ standing }) => standing !== 'cleared')
+  const more = others.some(({ standing }) => standing !== 'cleared') || first.gain > LARGE
   const next = more ? ` What else is wrong shows once this is mended${bent(first)}.` : ''
   if (first.standing === 'sure') return `${told(first)} ${gain}${next}`
   if (rival) return `Either: ${told(first)} Or: ${told(rival)} The readings do not tell which.`

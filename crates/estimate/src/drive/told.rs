@@ -20,6 +20,9 @@ struct Side {
     /// The likelihoods at the distance above and below.
     values: [Option<f64>; 2],
     doublings: u32,
+    /// Whether its likelihood has corners: that of a delay has one wherever a reading passes a row of motion. A place
+    /// that is as likely on one side may lie behind such a corner, and is looked for farther off.
+    corners: bool,
 }
 
 /// A look around the numbers that were found.
@@ -34,14 +37,19 @@ pub(crate) struct Told {
 
 impl Told {
     pub fn new(numbers: &[Fitted], bounds: &[[f64; 2]], best: f64) -> Self {
-        let side = |number: &Fitted| Side { distance: number.fine(), values: [None; 2], doublings: 0 };
+        let side = |number: &Fitted| Side {
+            distance: number.fine(),
+            values: [None; 2],
+            doublings: 0,
+            corners: number.is_delay(),
+        };
         Self { best, bounds: bounds.to_vec(), sides: numbers.iter().map(side).collect(), pairs: Vec::new() }
     }
 
     /// The most likelihoods that it asks for.
     pub fn most(numbers: usize) -> u32 {
         let n = numbers as u32;
-        n * (DOUBLINGS + 2) + n * n.saturating_sub(1) / 2
+        n * (2 * DOUBLINGS + 2) + n * n.saturating_sub(1) / 2
     }
 
     /// The next place whose likelihood is asked for; `None` behind the last.
@@ -64,7 +72,11 @@ impl Told {
         let Some(i) = self.open() else { return self.pairs.push(value) };
         let side = &mut self.sides[i];
         if side.values[0].is_some() {
+            let farther = side.corners && self.best - value < ENOUGH && side.doublings < DOUBLINGS;
             side.values[1] = Some(value);
+            if farther {
+                (side.distance, side.doublings, side.values) = (2.0 * side.distance, side.doublings + 1, [None; 2]);
+            }
         } else if self.best - value < FALL && side.doublings < DOUBLINGS {
             (side.distance, side.doublings) = (2.0 * side.distance, side.doublings + 1);
         } else {
