@@ -198,7 +198,7 @@ test('Fit says what the verdict names and it does not look for', () => {
   assert.equal(mendBefore(null), '')
 })
 
-test('σ that are wrong, or that the page begins with, are fitted together at one press', () => {
+test('where one σ is wrong all are fitted together at one press', () => {
   /** @param {string} name @param {number} now @param {number} value @param {string} standing */
   const sigma = (name, now, value, standing) =>
     suspect({
@@ -228,11 +228,15 @@ test('σ that are wrong, or that the page begins with, are fitted together at on
   ])
   const told = { ...set, sigmaTurn: 0.03 }
   assert.deepEqual(of([fix, turn, distance], told), [
-    [{ press: 'Fit both σ', fit: ['sigmaFix', 'sigmaDistance'] }],
-    ' Another σ is as uncertain: a fit finds both together.',
+    [{ press: 'Fit all three σ', fit: ['sigmaFix', 'sigmaTurn', 'sigmaDistance'] }],
+    ' Another σ is as uncertain: a fit finds all three together.',
   ])
+  // The others were found beside what this one was.
   const alone = of([fix, turn, { ...distance, standing: 'cleared' }], { ...told, sigmaDistance: 0.2 })
-  assert.deepEqual(alone, [[{ press: 'Set it so', patch: { sigmaFix: 0.5 } }], ''])
+  assert.deepEqual(alone, [
+    [{ press: 'Fit all three σ', fit: ['sigmaFix', 'sigmaTurn', 'sigmaDistance'] }],
+    ' A fit finds all three together.',
+  ])
   const [presses, words] = of([sigma('sigmaTurn', 0.05, 0.1, 'sure')])
   assert.equal(presses[0].press, 'Set it so')
   assert.equal(words, ' That σ is the one with which the page begins, whatever the log is.')

@@ -114,10 +114,10 @@ export function remedy(suspect, params, truth, log = null) {
  * @param {LogJudgement | null} judgement @param {Frame} frame
  * @returns {Remedy[]}
  */
-export function remedies(judgement, { params, truth, log, known = [] }) {
+export function remedies(judgement, { params, truth, log }) {
   // What may be no fault has no press.
   const suspects = judgement ? [...named(judgement, log), ...likeliest(judgement)].filter(({ own }) => !own) : []
-  const together = judgement ? unsettled(judgement, params, known) : []
+  const together = judgement ? unsettled(judgement) : []
   if (together.length > 1) return [{ press: `Fit ${counted(together)} σ`, fit: together }]
   const all = suspects.map((suspect) => remedy(suspect, params, Boolean(truth), log))
   const either = ['Either', 'Or']

@@ -6,18 +6,14 @@ import { named } from './named.js'
 /** @typedef {import('estimate-wasm').Parameter[]} Known */
 
 /**
- * The σ that a fit is to find together, by their names: where the verdict names one, all that the readings say are
- * wrong, and those with which the page begins, whatever the log is.
- * @param {LogJudgement} judgement @param {Record<string, any>} params
- * @param {Known} known
+ * The σ that a fit is to find together, by their names: all of them where the verdict names one, as each was found
+ * beside what the others were then.
+ * @param {LogJudgement} judgement
  */
-export function unsettled(judgement, params, known) {
+export function unsettled(judgement) {
   const all = named(judgement)
   if (all.length === 0 || all.some(({ fault }) => fault !== 'sigma')) return []
-  const open = judgement.suspects.filter(
-    (suspect) => suspect.fault === 'sigma' && (suspect.standing !== 'cleared' || isUsual(suspect, params, known)),
-  )
-  return open.map(({ name }) => name ?? '')
+  return judgement.suspects.filter(({ fault }) => fault === 'sigma').map(({ name }) => name ?? '')
 }
 
 /**
@@ -41,10 +37,16 @@ export const counted = ({ length }) => (length === 2 ? 'both' : `all ${word(leng
  */
 export function unsettledWords(judgement, params, known) {
   const begins = named(judgement).some((suspect) => suspect.fault === 'sigma' && isUsual(suspect, params, known))
-  const all = unsettled(judgement, params, known)
-  const others = all.length - named(judgement).length
+  const all = unsettled(judgement)
   const first = begins ? ' That σ is the one with which the page begins, whatever the log is.' : ''
-  if (others <= 0) return first
-  const more = others === 1 ? 'Another σ is' : `The ${word(others)} others are`
-  return `${first} ${more} as uncertain: a fit finds ${counted(all)} together.`
+  if (all.length < 2) return first
+  const open = judgement.suspects.filter(
+    (one) => all.includes(one.name ?? '') && (one.standing !== 'cleared' || isUsual(one, params, known)),
+  )
+  const others = open.length - named(judgement).length
+  const more =
+    others <= 0 ? '' : others === 1 ? ' Another σ is as uncertain:' : ` The ${word(others)} others are as uncertain:`
+  return more
+    ? `${first}${more} a fit finds ${counted(all)} together.`
+    : `${first} A fit finds ${counted(all)} together.`
 }
