@@ -270,6 +270,10 @@ test('errors far beyond the ellipse of a log without a fault speak against the t
     ranked(judgement([suspect({ standing: 'cleared' })], against(outside)), { rows: 1000, truth: true })
   assert.match(said(0.6), /so it is the truth that may be off: its origin, its axes, its clock or its own errors\.$/)
   assert.doesNotMatch(said(0.1), /the truth that may be off/)
+  // Of a robot that drives a metre in the step that is held nothing is to be said against the truth.
+  const held = { ...against(0.6), pace: 20, ownDelay: 0.05 }
+  const small = ranked(judgement([suspect({ standing: 'cleared' })], held), { rows: 1000, truth: true })
+  assert.match(small, /lie beyond [^.]*95 %\. The errors are no larger than what the motion model has as its own/)
 })
 
 test('a start is said with how well it is known, and far from its origin with its digits', () => {

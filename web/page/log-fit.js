@@ -50,7 +50,7 @@ export class FitForm {
       'Fit finds the σ, or the factor on what readings bring as theirs, the delays, the scale and the offset of ' +
       'ranges, and the offsets of bearings and headings under which the readings are likeliest. Where a gate is on, ' +
       'outliers are left out. The first seconds, where a delay moves the start, do not count. A delay of all sensors ' +
-      'together cannot be seen: the turn rate’s is 0, and without turn rates the speed’s stays as it is.'
+      'together cannot be seen: the turn rate’s stays as it is, and without turn rates the speed’s.'
     this.first = part(document, row, 'p', 'log-says')
     const actions = part(document, row, 'div', 'log-actions')
     this.result = part(document, row, 'div', 'log-says')
@@ -138,7 +138,7 @@ export class FitForm {
     const actions = part(document, result, 'div', 'log-actions')
     button(document, actions, 'Take what the log tells', () => {
       this.taking = true
-      this.orders.take({ ...patch, delayTurn: 0 })
+      this.orders.take(patch)
     })
   }
 }

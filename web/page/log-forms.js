@@ -81,7 +81,24 @@ export class Forms {
     // The first readings tell it as they are read now: with the σ and the offsets that are set.
     const opening = async () => {
       const { found } = await host.figure.run.opening()
-      if (found) this.change(found)
+      if (!found) return
+      this.started = found.start
+      this.change(found)
+    }
+    /** Where the page has started this log. @type {unknown} */
+    this.started = null
+    /**
+     * What σ that were found set besides: the start, where that is the page's own, as the first readings tell it then.
+     * @param {Record<string, unknown>} patch
+     */
+    this.settled = async (patch) => {
+      const { run: running } = host.figure
+      const { start } = running.wanted.params
+      if (!start || JSON.stringify(start) !== JSON.stringify(this.started)) return patch
+      const { found } = await running.opening(patch)
+      if (!found) return patch
+      this.started = found.start
+      return { ...patch, ...found }
     }
     this.start = new StartForm(box, this.change, { opening, smooth })
     this.fit = new FitForm(box, { fit, stop: this.stopFit, take })
@@ -121,6 +138,7 @@ export class Forms {
     const { opening: usually } = contents
     const [before, called] = [this.opening, this.names]
     this.opening = JSON.stringify(usually)
+    this.started = usually?.start ?? null
     if (other) this.names = JSON.stringify(names)
     const moved = before !== this.opening
     const { params } = this.host.figure.run.wanted

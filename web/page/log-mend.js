@@ -4,8 +4,10 @@
  */
 
 import { button, part } from '../draw/dom.js'
+import { decimal } from '../draw/numbers.js'
 import { rounded } from './log-fit-words.js'
-import { remedies } from './log-remedy.js'
+import { bySensor } from './log-numbers.js'
+import { GATE, remedies } from './log-remedy.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
@@ -18,10 +20,25 @@ import { remedies } from './log-remedy.js'
  * @property {() => boolean} may whether the page has the files of the log
  * @property {(corrections: Corrections) => Promise<void>} reread how these are read otherwise
  * @property {(names: string[], progress: (told: { done: number, of: number }) => void) => Promise<any>} fit
+ * @property {(patch: Patch) => Promise<Patch>} settled what is set with σ that were found
  * @property {() => void} stop the fit
  */
 
 const GIVEN_UP = 'The fit was given up.'
+
+/**
+ * The gates without which σ that were found beside outliers are of no use, and what is said of that.
+ * @param {import('estimate-wasm').LogFound} found @param {Patch} params
+ * @returns {{ gate: Patch, words: string }}
+ */
+export function gated({ outliers, readings, expected }, params) {
+  const set = bySensor(params.gate)
+  const chance = expected * readings
+  const none = Object.values(set).every((gate) => gate === null)
+  if (!none || outliers === null || outliers <= chance + 3 * Math.sqrt(chance)) return { gate: {}, words: '' }
+  const share = decimal((100 * outliers) / readings, 1)
+  return { gate: { gate: GATE }, words: `${share} % of the readings are outliers: the gates are on, and refuse them.` }
+}
 
 export class MendBar {
   /** @param {Orders} orders */
@@ -41,6 +58,8 @@ export class MendBar {
     this.judgement = null
     /** What presses have set or corrected, and what was so before each. @type {{ mended: Remedy, before: Remedy }[]} */
     this.taken = []
+    /** What is said of a fit beside the next verdict. */
+    this.told = ''
     /** Whether the log that comes is this one, corrected. */
     this.correcting = false
     /** The fit that is under way. @type {Remedy | null} */
@@ -80,7 +99,8 @@ export class MendBar {
   fill(judgement, frame, wanted) {
     this.judgement = judgement
     this.presses.replaceChildren()
-    this.words.textContent = ''
+    this.words.textContent = this.told
+    this.told = ''
     if (judgement) this.hold('')
     for (const remedy of remedies(judgement, frame))
       if (!remedy.corrections || this.orders.may())
@@ -123,10 +143,16 @@ export class MendBar {
       this.bar.value = done
     })
     if (this.fitting !== remedy) return
-    this.fitting = null
-    if (answer.kind !== 'fit') return this.free(answer.message ?? answer.why ?? GIVEN_UP)
+    if (answer.kind !== 'fit') {
+      this.fitting = null
+      return this.free(answer.message ?? answer.why ?? GIVEN_UP)
+    }
+    const { gate, words } = gated(answer.found, wanted)
     // One that the log does not tell is where it is as likely as anywhere, or the least that is tried.
-    const patch = rounded(answer.found.numbers)
+    const patch = await this.orders.settled({ ...rounded(answer.found.numbers), ...gate })
+    if (this.fitting !== remedy) return
+    this.fitting = null
+    this.told = words
     this.words.textContent = ''
     this.hold()
     this.keep(patch, wanted)

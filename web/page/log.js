@@ -42,6 +42,7 @@ class OwnLog {
       change: this.forms.change,
       follow: () => this.forms.follow(),
       fit: this.forms.fitTogether,
+      settled: this.forms.settled,
       stop: this.forms.stopFit,
       may: () => this.held !== undefined && this.set === this.held,
       reread: (corrections) => this.reread({ corrections }),

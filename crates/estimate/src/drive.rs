@@ -36,6 +36,7 @@ mod opening;
 mod opening_ranges;
 mod opening_seen;
 mod opening_spread;
+mod opening_trust;
 mod outliers;
 mod pace;
 mod read;

@@ -18,8 +18,8 @@
 //! | `P,t,x,y[,sigma]` | a fix of the position, with its own standard deviation if it has one; m |
 //! | `H,t,theta[,sigma]` | a heading (compass, course), with its own standard deviation if it has one; rad |
 //!
-//! A log moves by `D` rows, by `O` rows or by held rows (`V`, `S`, `T`), and by one kind alone. Rows may stand in any order: [`parse`] answers
-//! them by time, at equal times motion before readings, then by line. What a log says is an
+//! A log moves by `D` rows, by `O` rows or by held rows (`V`, `S`, `T`), and by one kind alone. Rows may stand in any
+//! order: [`parse`] answers them by time, at equal times motion before readings, then by line. What a log says is an
 //! [`estimate::drive::Drive`], which [`estimate::drive::Replay`] filters: from the first true pose on, else from the
 //! first fix, else from the first row. Rows of held motion before that say what is held, and others are skipped.
 //!

@@ -26,9 +26,12 @@ export class Asking extends Player {
     return this.port.ask({ kind: 'table', params: this.asked ?? this.frame.params, table })
   }
 
-  /** Where the log began by its first readings, as they are read now. @returns {Promise<any>} */
-  opening() {
-    return this.port.ask({ kind: 'opening', params: this.asked ?? this.frame.params })
+  /**
+   * Where the log began by its first readings, as they are read now.
+   * @param {Record<string, unknown>} [more] settings besides @returns {Promise<any>}
+   */
+  opening(more) {
+    return this.port.ask({ kind: 'opening', params: { ...(this.asked ?? this.frame.params), ...more } })
   }
 
   /**

@@ -175,16 +175,17 @@ const MANY = 0.2
 const TRUTH =
   'The readings are as likely as they should be, so it is the truth that may be off: its origin, its axes, its clock ' +
   'or its own errors.'
+const HELD = 'The errors are no larger than what the motion model has as its own, which holds what it reads for a step.'
 
 /** @param {LogJudgement} judgement */
-function errors({ suspects: [{ mended }], against, ungated, other }) {
+function errors({ suspects: [{ mended }], against, ungated, other, pace, ownDelay }) {
   if (!against) return ''
   const { rmse, nees, outside } = against
   const off = ungated ? ', without the gate,' : ''
   const now =
     `Against the truth${off} the NEES of the position is ${fixed(nees, 1)}, where 2 is expected, and ` +
     `${fixed(100 * outside, 0)} % of the errors lie beyond the ellipse that should hold 95 %.`
-  if (!mended && outside > MANY) return `${now} ${TRUTH}`
+  if (!mended && outside > MANY) return `${now} ${rmse <= pace * ownDelay ? HELD : TRUTH}`
   if (!mended || other) return now
   const [before, after] = [rmse, mended.rmse].map((one) => fixed(one, 2))
   const goes =

@@ -81,8 +81,7 @@ pub struct Fit {
 impl Fit {
     /// A search that begins at `settings`, for the σ of motion and of the sensors that the log has and that are used,
     /// for their delays, the scale and the offset of ranges, the offsets of bearings and headings; the turn's delay
-    /// stays 0, since a delay of all together cannot be seen. In a log without turn rates the speed's stays what it is
-    /// instead.
+    /// stays what it is, since a delay of all together cannot be seen. In a log without turn rates the speed's does.
     ///
     /// # Errors
     /// As [`Course::new`]; [`Code::Limit`] where the log has no reading that counts.
@@ -101,8 +100,7 @@ impl Fit {
     }
 
     fn begin(drive: &Drive, settings: Settings, which: impl Fn(&Drive, &Course) -> Vec<Fitted>) -> Result<Self, Error> {
-        let mut settings = Settings { gate: settings.gate.map(|gate| gate.map(|_| OUTLIER_GATE)), ..settings };
-        settings.delays.turn = 0.0;
+        let settings = Settings { gate: settings.gate.map(|gate| gate.map(|_| OUTLIER_GATE)), ..settings };
         let course = Course::new(drive, settings)?;
         let [first, last] = drive.span().unwrap_or_default();
         let most = most_delay(last - first);

@@ -4,13 +4,15 @@
 //! that drives backwards. The log has the motion between them: the heading is the one under which the filter finds the
 //! first fixes most likely.
 
+use super::opening_trust::{FIRST, Held, tells, trusted as trusted_of};
 use super::{Course, Drive, Event, Motion, Replay, Settings, Truth};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 use geom::wrap;
 use nalgebra::{Matrix3, Vector3};
 
-/// Where no motion tells the way, a second fix tells the heading once it is so many of its standard deviations away.
+/// Where no motion tells the way, a second fix tells the heading once it is so many of its standard deviations away;
+/// and so far from the heading that the fixes tell, one that was read is another.
 const FAR: f64 = 5.0;
 /// So many fixes are tried first, and then twice as many, to so many rows.
 const FEWEST: usize = 4;
@@ -39,13 +41,6 @@ pub struct Opening {
     pub sigma_heading: f64,
 }
 
-/// A fix of a stretch: where the robot was by its motion alone, from the origin along x, and by the fix, with its σ.
-struct Pair {
-    reckoned: [f64; 2],
-    fix: [f64; 2],
-    sigma: f64,
-}
-
 impl Drive {
     /// The start by the first readings; fixes and headings without a standard deviation of their own take that of
     /// `settings`, of which the noise of the motion counts too. Without a fix, by the first ranges to the landmarks;
@@ -57,12 +52,31 @@ impl Drive {
     /// known; it is widened by √NIS where the fixes are farther from the motion than is claimed. A heading that was
     /// read, led back to the start by the turns since, is taken where it is better known. Where the motion tells no
     /// way, the direction to the first fix that is far away is the heading.
+    /// Of the first fixes those are outliers, and tell nothing, whose distances from their neighbours are others than
+    /// the motion tells.
     pub fn opening(&self, settings: &Settings) -> Option<Opening> {
-        let Some(first) = self.rows.iter().position(|row| matches!(row.event, Event::Position { .. })) else {
+        let fixes = self.rows.iter().enumerate().filter(|(_, row)| matches!(row.event, Event::Position { .. }));
+        let end = fixes.take(FIRST).last().map_or(0, |(at, _)| at + 1);
+        let held = if end > MOST_ROWS { None } else { pairs(&self.without_sightings(end), settings) };
+        let trusted = held.filter(|fixes| fixes.len() > 2 && self.rows.iter().any(|row| row.event.is_motion()));
+        match trusted.and_then(|fixes| trusted_of(self, &fixes, MOST_ROWS)) {
+            Some(trusted) => trusted.opened(settings),
+            None => self.opened(settings),
+        }
+    }
+
+    fn opened(&self, settings: &Settings) -> Option<Opening> {
+        let fix = |event: &Event| match *event {
+            Event::Position { x, y, sigma } => Some((x, y, settings.of_fix(sigma))),
+            _ => None,
+        };
+        let mut fixes = self.rows.iter().filter_map(|row| fix(&row.event));
+        let Some(first) = fixes.next() else {
             return self.opening_by_ranges(settings).map(|found| self.headed(found, settings));
         };
-        let Event::Position { x, y, sigma } = self.rows[first].event else { return None };
-        let sigma = settings.of_fix(sigma);
+        // The first that tells something.
+        let known = |fix: &(f64, f64, f64)| tells(fix.2);
+        let (x, y, sigma) = core::iter::once(first).chain(fixes).find(known).unwrap_or(first);
         let by_chord = || {
             let (theta, off) = self.chord(settings).unwrap_or((0.0, PI));
             ([x, y, theta], off)
@@ -72,11 +86,15 @@ impl Drive {
         Some(self.headed(Opening { pose, sigma, sigma_heading: off.min(PI) }, settings))
     }
 
-    /// An opening with the heading that was read, where that is better known.
+    /// An opening with the heading that was read, where that is better known, and no other than the fixes tell: an
+    /// antenna or a compass may be turned.
     fn headed(&self, opening: Opening, settings: &Settings) -> Opening {
         let [x, y, _] = opening.pose;
         match self.first_heading(settings) {
-            Some((theta, read)) if read < opening.sigma_heading => {
+            Some((theta, read))
+                if read < opening.sigma_heading
+                    && wrap(theta - opening.pose[2]).abs() < FAR * libm::hypot(read, opening.sigma_heading) =>
+            {
                 Opening { pose: [x, y, theta], sigma_heading: read, ..opening }
             }
             _ => opening,
@@ -90,7 +108,7 @@ impl Drive {
             _ => None,
         };
         let mut fixes = self.rows.iter().filter_map(|row| fix(&row.event));
-        let (x, y, first) = fixes.next()?;
+        let (x, y, first) = fixes.find(|fix| tells(fix.2))?;
         fixes.find_map(|(px, py, own)| {
             let (distance, off) = (libm::hypot(px - x, py - y), libm::hypot(first, own));
             (distance > FAR * off).then(|| (libm::atan2(py - y, px - x), off / distance))
@@ -108,7 +126,7 @@ impl Drive {
         let drifted = settings.sigma_turn * libm::sqrt((self.rows[at].time - course.start()).max(0.0));
         let before = self.rows[at].time < course.start();
         let off = libm::hypot(settings.of_heading(sigma), drifted);
-        (!before).then(|| (wrap(theta - replay.pose().theta()), off))
+        (!before).then(|| (wrap(theta - settings.heading_offset - replay.pose().theta()), off))
     }
 
     /// The first rows of the drive, without truth and headings.
@@ -158,10 +176,11 @@ impl Drive {
 fn fit(stretch: &Drive, settings: &Settings) -> Option<([f64; 3], f64)> {
     let pairs = pairs(stretch, settings)?;
     let (mut pose, rough) = turned(&pairs)?;
-    let small = pairs[0].sigma * KNOWN;
+    let sigma = pairs.iter().map(|pair| pair.sigma).fold(f64::INFINITY, f64::min);
+    let small = sigma * KNOWN;
     let told = |pose: Vector3<f64>| likelihood(stretch, settings, pose, small);
     // The steps in which the likelihood is felt out: so far it falls by about a half.
-    let steps = Vector3::new(pairs[0].sigma, pairs[0].sigma, rough.min(PARABOLIC)) * 0.5;
+    let steps = Vector3::new(sigma, sigma, rough.min(PARABOLIC)) * 0.5;
     let mut off = None;
     for _ in 0..ROUNDS {
         let (slope, bend) = parabola(told, pose, steps)?;
@@ -179,13 +198,13 @@ fn fit(stretch: &Drive, settings: &Settings) -> Option<([f64; 3], f64)> {
 }
 
 /// Each fix of a stretch beside where the motion alone leads.
-fn pairs(stretch: &Drive, settings: &Settings) -> Option<Vec<Pair>> {
+fn pairs(stretch: &Drive, settings: &Settings) -> Option<Vec<Held>> {
     let course = Course::new(stretch, Settings { start: None, ..settings.reckoning() }).ok()?;
     let (mut replay, mut pairs) = (Replay::new(&course), Vec::new());
     while let Some(taken) = replay.take(stretch, &course).ok()? {
         if let Event::Position { x, y, sigma } = stretch.rows[taken.row].event {
             let reckoned = [replay.pose().x(), replay.pose().y()];
-            pairs.push(Pair { reckoned, fix: [x, y], sigma: settings.of_fix(sigma) });
+            pairs.push(Held { reckoned, fix: [x, y], sigma: settings.of_fix(sigma) });
         }
     }
     (!pairs.is_empty()).then_some(pairs)
@@ -193,14 +212,14 @@ fn pairs(stretch: &Drive, settings: &Settings) -> Option<Vec<Pair>> {
 
 /// The pose that turns and shifts what was reckoned onto the fixes, each counted by 1/σ², and the σ of its heading as
 /// if the motion had no noise. `None` where what was reckoned has no extent.
-fn turned(pairs: &[Pair]) -> Option<(Vector3<f64>, f64)> {
+fn turned(pairs: &[Held]) -> Option<(Vector3<f64>, f64)> {
     let weight: f64 = pairs.iter().map(|pair| 1.0 / (pair.sigma * pair.sigma)).sum();
     let mean =
-        |of: fn(&Pair) -> f64| pairs.iter().map(|pair| of(pair) / (pair.sigma * pair.sigma)).sum::<f64>() / weight;
+        |of: fn(&Held) -> f64| pairs.iter().map(|pair| of(pair) / (pair.sigma * pair.sigma)).sum::<f64>() / weight;
     let reckoned = [mean(|pair| pair.reckoned[0]), mean(|pair| pair.reckoned[1])];
     let fixed = [mean(|pair| pair.fix[0]), mean(|pair| pair.fix[1])];
     let (mut along, mut across, mut extent) = (0.0, 0.0, 0.0);
-    for Pair { reckoned: at, fix, sigma } in pairs {
+    for Held { reckoned: at, fix, sigma } in pairs {
         let weight = 1.0 / (sigma * sigma);
         let (qx, qy) = (at[0] - reckoned[0], at[1] - reckoned[1]);
         let (px, py) = (fix[0] - fixed[0], fix[1] - fixed[1]);

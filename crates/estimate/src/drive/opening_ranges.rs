@@ -5,7 +5,7 @@
 
 use super::opening::Opening;
 use super::opening_seen::{Seen, cost, weight};
-use super::opening_spread::spread as wide;
+use super::opening_spread::{covariance, roots, spread as wide};
 use super::{Course, Drive, Event, Replay, Settings};
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
@@ -155,9 +155,7 @@ fn improved(seen: &[Seen], mut pose: Vector3<f64>) -> Option<Found> {
 
 /// The standard deviations of x, y and θ.
 fn deviations(found: &Found) -> Option<Vector3<f64>> {
-    let covariance = found.information.try_inverse()?;
-    let off = Vector3::from_fn(|i, _| libm::sqrt(covariance[(i, i)].max(0.0)));
-    off.iter().all(|it| it.is_finite()).then_some(off)
+    roots(&covariance(&found.information)?)
 }
 
 /// The start as a filter takes it, which reads the same ranges again: it is told by half of them.

@@ -38,7 +38,8 @@ pub struct Taken {
 /// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v
 /// and turn rates ω are held and move the estimate to the time of every later row, by d = v (1 + κ) dt and
 /// a = (ω − b) dt. `D` rows bring d and a that were driven evenly since the row before: they move the estimate to the
-/// time of every later row by the share of that time, along the heading half-way through its turn, θ + a/2. A reading is gated by its d² and taken in Joseph's form.
+/// time of every later row by the share of that time, along the heading half-way through its turn, θ + a/2. A reading
+/// is gated by its d² and taken in Joseph's form.
 ///
 /// # Example
 /// ```

@@ -17,7 +17,7 @@ pub(crate) struct Step {
     pub event: Event,
     /// Whether the row counts as taken with this step: a `V` in two halves does with its turn.
     pub counts: bool,
-    /// Of odometry that is driven evenly, the row on whose way the robot is: when it ends, s, its distance and its turn.
+    /// Of odometry that is driven evenly, the row on whose way the robot is: when it ends, s, its distance and turn.
     pub way: Option<[f64; 3]>,
 }
 

@@ -69,6 +69,30 @@ fn the_heading_at_the_start_is_off_by_what_is_claimed_forwards_backwards_and_in_
 }
 
 #[test]
+fn first_fixes_that_are_outliers_tell_nothing_where_the_readings_are_that_exact() {
+    let settings = Settings { sigma_fix: 0.1, ..Settings::default() };
+    let mut seed = 23;
+    for run in 0..8 {
+        let theta = geom::wrap(f64::from(run) * 0.8);
+        let mut rows = arc(theta, [1.0, 0.2], &mut seed);
+        // Fixes of 0.1 m; each fifth is 4 m off in another direction, from the very first on.
+        let mut at = [2.0, -3.0, theta];
+        for (i, (_, event)) in rows.iter_mut().filter(|(_, event)| matches!(event, Event::Position { .. })).enumerate()
+        {
+            let (far, way) = (if i % 5 == 0 { 4.0 } else { 0.0 }, 1.7 * i as f64 + f64::from(run));
+            let off = [far * libm::cos(way), far * libm::sin(way)].map(|off| off + 0.1 * normal(&mut seed));
+            *event = fix(at[0] + off[0], at[1] + off[1], None);
+            for _ in 0..10 {
+                at = [at[0] + 0.1 * at[2].cos(), at[1] + 0.1 * at[2].sin(), at[2] + 0.02];
+            }
+        }
+        let found = drive(Motion::Velocity, &[], &rows).opening(&settings).expect("fixes");
+        let off = [found.pose[0] - 2.0, found.pose[1] + 3.0, geom::wrap(found.pose[2] - theta)];
+        assert!(off[0].hypot(off[1]) < 0.3 && off[2].abs() < 0.15 && found.sigma == 0.1, "{off:?} {found:?}");
+    }
+}
+
+#[test]
 fn a_turn_rate_with_a_bias_is_covered() {
     let mut seed = 5;
     for run in 0..8 {
@@ -97,6 +121,11 @@ fn a_heading_that_was_read_is_led_back_to_the_start_and_taken_where_it_is_better
     assert!((found.sigma_heading - 0.01_f64.hypot(0.02)).abs() < 1e-9, "{found:?}");
     rows[at].1 = Event::Heading { theta: 0.95, sigma: Some(3.0) };
     assert!((opened(&rows).expect("fixes").pose[2] - 0.6).abs() < 0.3, "a heading that knows less is not taken");
+    rows[at].1 = Event::Heading { theta: 0.95 + FRAC_PI_2, sigma: Some(0.01) };
+    assert!((opened(&rows).expect("fixes").pose[2] - 0.6).abs() < 0.3, "nor that of an antenna that is turned");
+    let settings = Settings { heading_offset: FRAC_PI_2, ..Settings::default() };
+    let told = drive(Motion::Velocity, &[], &rows).opening(&settings).expect("fixes");
+    assert!((told.pose[2] - 0.65).abs() < 1e-9, "but where it is said by how much: {told:?}");
 }
 
 #[test]

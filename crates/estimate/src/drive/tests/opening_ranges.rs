@@ -170,3 +170,27 @@ fn ranges_of_another_world_and_too_few_tell_nothing() {
     few.rows.truncate(4);
     assert_eq!(few.opening(&Settings::default()), None);
 }
+
+/// While it stands and sees one landmark a robot may be anywhere around that: its first readings alone tell no start.
+#[test]
+fn a_robot_that_stands_before_one_landmark_begins_where_its_later_readings_say() {
+    let mut seed = 17;
+    let [x, y, theta] = USUAL.start;
+    let (dx, dy) = (SQUARE[2][0] - x, SQUARE[2][1] - y);
+    let stands = Event::Velocity { v: 0.0, omega: 0.0 };
+    for _ in 0..6 {
+        let later = Made { bearings: true, ..USUAL }.drive(&mut seed);
+        let seen = |seed: &mut u64| Event::RangeBearing {
+            landmark: 2,
+            range: libm::hypot(dx, dy) + 0.06 * normal(seed),
+            bearing: wrap(libm::atan2(dy, dx) - theta + 0.015 * normal(seed)),
+        };
+        let before = (0..100).flat_map(|k| [stands, seen(&mut seed)].map(|it| Row::new(0.2 * f64::from(k), it)));
+        let mut rows: Vec<Row> = before.collect();
+        let alone = Drive { rows: rows.clone(), ..later.clone() };
+        assert_eq!(alone.opening(&Settings::default()), None, "one landmark tells no place");
+        rows.extend(later.rows.iter().map(|row| Row { time: row.time + 20.0, ..*row }));
+        let opening = Drive { rows, ..later }.opening(&Settings::default()).expect("four landmarks tell it");
+        assert!(off(&opening, USUAL.start) < 4.0 && opening.sigma > 0.01, "{opening:?}");
+    }
+}
