@@ -51,7 +51,7 @@ test('each kind of fault is shown with its file, line and character', async (t) 
   }
   await choose(file('still.csv', 'L,7,3,4\nR,1,7,2\n# the end\n'))
   await answer
-    .getByText('still.csv, line 2, character 1: the log has no motion; O, V, S or T rows were expected.')
+    .getByText('still.csv, line 2, character 1: the log has no motion; D, O, V, S or T rows were expected.')
     .waitFor()
   const picture = {
     name: 'picture.png',
