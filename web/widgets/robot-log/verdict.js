@@ -56,7 +56,8 @@ export function ranked(judgement, { rows, truth, log = null }) {
         : sentences(judgement, truth, log),
     ...own.map((suspect) => model(suspect, judgement)),
     sound ? arcs(judgement) : '',
-    sound ? loose(judgement) : '',
+    // A σ that has taken in a fault of the motion lets the start turn towards it.
+    sound || judgement.suspects[0].fault === 'start' ? loose(judgement) : '',
     sound ? noisy(judgement) : '',
     errors(judgement),
     judgement.rows < rows ? `The first ${count(judgement.rows)} rows are judged.` : '',
