@@ -163,3 +163,27 @@ test('σ with which the page begins are fitted together at one press, which is g
   )
   assert.deepEqual(undone.params, before)
 })
+
+test('σ that are fitted beside outliers come with gates and a start of their own, and are undone as one', async (t) => {
+  const { page, it, choose } = await openLog(t)
+  // Straight on at 1 m/s; fixes of about 2 cm, of which each tenth is 3 m off, the first among them.
+  const rows = Array.from({ length: 400 }, (_, k) => {
+    const [time, out] = [k / 5, k % 10 === 0 ? 3 : 0]
+    const [x, y] = [time + 0.03 * Math.sin(7.3 * k * k) + out, 0.03 * Math.cos(5.1 * k * k) - out]
+    return `V,${time},1,0\nP,${time},${x},${y}`
+  })
+  await choose(file('outliers.csv', rows.join('\n')))
+  const bar = page.locator('robot-log .live .log-mend')
+  await bar
+    .getByRole('button', { name: /Fit|gate/ })
+    .first()
+    .waitFor()
+  const fit = bar.getByRole('button', { name: /^Fit/ })
+  const before = (await until(it, ({ judgement }) => judgement, 'the verdict')).params
+  await fit.click()
+  await bar.getByText(/^9\.9 % of the readings are outliers: the gates are on/).waitFor()
+  const { params } = await until(it, (frame) => frame.judgement && frame.params.gate === 0.999, 'the gate')
+  assert.ok(Math.hypot(params.start[0], params.start[1]) < 0.1 && params.startSigma < 0.1, String(params.start))
+  await bar.getByRole('button', { name: 'Undo' }).click()
+  await until(it, (frame) => JSON.stringify(frame.params) === JSON.stringify(before), 'all as it was')
+})

@@ -12,6 +12,7 @@ import {
   whyAsSet,
 } from '../../web/page/log-fit-words.js'
 import { judgement, suspect } from './verdicts.mjs'
+import { gated } from '../../web/page/log-remedy.js'
 
 const MOTION = { pace: 1, period: 0.1, ownDelay: 0.05 }
 
@@ -108,4 +109,21 @@ test('what a verdict does not find wrong is not taken, and a delay that may be w
   const elsewhere = { fault: 'displaced', name: null, landmarks: [2] }
   assert.match(of(elsewhere, { fault: 'bias', name: 'offset', standing: 'maybe' })('offset'), /to be mended first/)
   assert.match(stayingBy(judgement([suspect({})], { other: true }))('delayFix'), /to be mended first/)
+})
+
+test('σ that were found beside outliers come with gates, and those of a sound log do not', () => {
+  const found = (/** @type {number | null} */ outliers) =>
+    /** @type {any} */ ({ outliers, readings: 2000, expected: 0.001 })
+  assert.deepEqual(gated(found(121), { gate: null }), {
+    gate: { gate: 0.999 },
+    words: '6.0 % of the readings are outliers: the gates are on, and refuse them.',
+  })
+  // Two in two thousand lie there by chance, and six may.
+  for (const [outliers, gate] of [
+    [6, null],
+    [null, null],
+    [121, 0.99],
+    [121, { fix: 0.99, heading: null, range: null, bearing: null }],
+  ])
+    assert.deepEqual(gated(found(/** @type {any} */ (outliers)), { gate }), { gate: {}, words: '' })
 })

@@ -4,10 +4,8 @@
  */
 
 import { button, part } from '../draw/dom.js'
-import { decimal } from '../draw/numbers.js'
 import { rounded } from './log-fit-words.js'
-import { bySensor } from './log-numbers.js'
-import { GATE, remedies } from './log-remedy.js'
+import { gated, remedies } from './log-remedy.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
@@ -25,20 +23,6 @@ import { GATE, remedies } from './log-remedy.js'
  */
 
 const GIVEN_UP = 'The fit was given up.'
-
-/**
- * The gates without which σ that were found beside outliers are of no use, and what is said of that.
- * @param {import('estimate-wasm').LogFound} found @param {Patch} params
- * @returns {{ gate: Patch, words: string }}
- */
-export function gated({ outliers, readings, expected }, params) {
-  const set = bySensor(params.gate)
-  const chance = expected * readings
-  const none = Object.values(set).every((gate) => gate === null)
-  if (!none || outliers === null || outliers <= chance + 3 * Math.sqrt(chance)) return { gate: {}, words: '' }
-  const share = decimal((100 * outliers) / readings, 1)
-  return { gate: { gate: GATE }, words: `${share} % of the readings are outliers: the gates are on, and refuse them.` }
-}
 
 export class MendBar {
   /** @param {Orders} orders */

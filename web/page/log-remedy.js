@@ -1,5 +1,6 @@
 /** What mends a fault that the verdict names, as its sentence says: a setting, a fit of several, or another reading. */
 
+import { decimal } from '../draw/numbers.js'
 import { factors } from '../widgets/robot-log/driven.js'
 import { rounded } from '../widgets/robot-log/sized.js'
 import { wrapped } from '../widgets/robot-log/start.js'
@@ -126,4 +127,18 @@ export function remedies(judgement, { params, truth, log }) {
     const { press } = one
     return [{ ...one, press: all.length > 1 ? `${either[i]}: ${press[0].toLowerCase()}${press.slice(1)}` : press }]
   })
+}
+
+/**
+ * The gates without which σ that were found beside outliers are of no use, and what is said of that.
+ * @param {import('estimate-wasm').LogFound} found @param {Record<string, any>} params
+ * @returns {{ gate: Record<string, unknown>, words: string }}
+ */
+export function gated({ outliers, readings, expected }, params) {
+  const set = bySensor(params.gate)
+  const chance = expected * readings
+  const none = Object.values(set).every((gate) => gate === null)
+  if (!none || outliers === null || outliers <= chance + 3 * Math.sqrt(chance)) return { gate: {}, words: '' }
+  const share = decimal((100 * outliers) / readings, 1)
+  return { gate: { gate: GATE }, words: `${share} % of the readings are outliers: the gates are on, and refuse them.` }
 }
