@@ -16,7 +16,9 @@ impl Files {
             return;
         }
         self.files.iter_mut().for_each(|file| file.source.other_clock = None);
-        let gathered = self.is_sound().then(|| self.gathered(true).ok()).flatten();
+        // One file has nothing to be compared with but the headings in it.
+        let compares = added(&self.files) > 1 || self.files.iter().any(|file| file.source.guesses_heading());
+        let gathered = (compares && self.is_sound()).then(|| self.gathered(true).ok()).flatten();
         if let Some((reading, times)) = gathered {
             if added(&self.files) > 1 {
                 let clocks = beside::clocks(&self.files, &times);
