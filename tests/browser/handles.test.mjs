@@ -237,3 +237,25 @@ test('a slider is as long at one value as at another, so that its thumb stays un
   assert.equal(lengths.length, 3)
   for (const one of lengths) assert.equal(one.length, 1, `${one} px`)
 })
+
+test('a button stays under a finger that is still on it, or the press would end on something else', async (t) => {
+  const { it } = await openFigure(t, 'own-system', { viewport: PHONE, touch: true })
+  const button = it.locator('.live .tries').getByRole('button', { name: 'Read the velocity alone' })
+  const moved = await button.evaluate(async (pressed) => {
+    // As after another press: the browser does not hold the page by itself.
+    document.body.style.overflowAnchor = 'none'
+    scrollBy({ top: pressed.getBoundingClientRect().top - innerHeight / 2, behavior: 'instant' })
+    for (let frames = 0; frames < 3; frames++) await new Promise(requestAnimationFrame)
+    const { top } = pressed.getBoundingClientRect()
+    const tell = (what) => pressed.dispatchEvent(new PointerEvent(what, { bubbles: true }))
+    tell('pointerdown')
+    const above = document.createElement('div')
+    above.style.height = '70px'
+    pressed.closest('.widget').before(above)
+    for (let frames = 0; frames < 3; frames++) await new Promise(requestAnimationFrame)
+    const by = pressed.getBoundingClientRect().top - top
+    tell('pointerup')
+    return by
+  })
+  assert.ok(Math.abs(moved) < 1, `${moved} px`)
+})

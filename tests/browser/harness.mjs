@@ -6,6 +6,7 @@ import { existsSync } from 'node:fs'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { readState, withState } from '../../web/figure/state-in-url.js'
+import { stillness } from './rest.mjs'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, DESKTOP, dist, HANGS_MS, STANDS_STILL_MS, tagOf } from './places.mjs'
 
 export * from './places.mjs'
@@ -90,8 +91,9 @@ export async function open(t, wishes = {}) {
   const complaints = watch(page, site.url)
   // What a test awaits inside a page has no limit of its own. A page that is gone ends the wait, and the test that
   // stood still is named, before the limit of its whole file names none.
-  const limit = setTimeout(() => {
+  const limit = setTimeout(async () => {
     complaints.push(`the test stood still for ${STANDS_STILL_MS / 1000} s`)
+    t.diagnostic(`${complaints.at(-1)}; ${await stillness(page)}`)
     context.close()
   }, STANDS_STILL_MS)
   t.after(async () => {
@@ -228,7 +230,8 @@ export async function walkDown(page) {
     const frame = () => new Promise((resolve) => requestAnimationFrame(resolve))
     // A screen at each frame. The page grows and shrinks as its parts are laid out: each step goes on from where the
     // last one led.
-    for (let from = -1; scrollY > from; ) {
+    for (let from = -1, screens = 0; scrollY > from; screens++) {
+      if (screens > 5000) throw new Error(`the page grows without end: ${document.body.scrollHeight} px`)
       from = scrollY
       scrollBy({ top: innerHeight, behavior: 'instant' })
       await frame()

@@ -52,6 +52,25 @@ test('evidence and sliders are on one screen; on a phone map, verdict and innova
   }
 })
 
+test('the strip scrolls under a pointer right after a press in it, and the page stays', async (t) => {
+  const { page, it, choose } = await openLog(t, { viewport: { width: 1440, height: 900 } })
+  await choose(file('camera.csv', CAMERA.join('\n')))
+  await until(it, ({ rows }) => rows > 300, 'the log')
+  const [strip, moved] = await page.locator('robot-log .live .log-strip').evaluate(async (box) => {
+    const frame = () => new Promise((resolve) => requestAnimationFrame(resolve))
+    // What has room below it and above: the strip, and the page.
+    box.scrollIntoView({ block: 'center' })
+    box.querySelector('button').click()
+    const { scrollY: before } = window
+    await frame()
+    box.scrollTop += 150
+    for (let frames = 0; frames < 4; frames++) await frame()
+    return [box.scrollTop, scrollY - before]
+  })
+  assert.ok(strip >= 150, `the strip: ${strip} px`)
+  assert.equal(moved, 0)
+})
+
 test('the strip fades at its lower edge for as long as it goes on there', async (t) => {
   const { page, it, choose } = await openLog(t, { viewport: { width: 1440, height: 900 } })
   await choose(file('car.csv', CAR))

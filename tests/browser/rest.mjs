@@ -74,3 +74,14 @@ export async function quiet(page, frames = 20, held = false) {
     [frames, held, HANGS_MS],
   )
 }
+
+/**
+ * What keeps a page that stands still: its scripts, its frames, or neither.
+ * @param {import('playwright-core').Page} page
+ */
+export async function stillness(page) {
+  const within = (wait) => Promise.race([wait.catch(String), new Promise((r) => setTimeout(r, 10_000, 'none in 10 s'))])
+  const place = await within(page.evaluate(() => [document.visibilityState, scrollY, document.body.scrollHeight] + ''))
+  const frame = await within(page.evaluate(() => new Promise((r) => requestAnimationFrame(r)).then(() => 'one')))
+  return `the page's answer: ${place}; a frame: ${frame}`
+}

@@ -32,8 +32,8 @@ const FRAMES = 12
 const PATIENCE_MS = 3000
 
 /**
- * Keeps what the reader presses in a figure under the finger, and a slider as long as it is dragged: above it matrices
- * grow and sentences get longer.
+ * Keeps what the reader presses in a figure under the finger: above it matrices grow and sentences get longer. It stays
+ * while the finger is down, or the press would end on something else, and until the figure has answered.
  * @param {Element} into @param {() => boolean} busy whether the figure has still to answer
  */
 export function keepPressed(into, busy) {
@@ -44,46 +44,62 @@ export function keepPressed(into, busy) {
     const mine = ++presses
     const { top } = pressed.getBoundingClientRect()
     let began = performance.now()
-    let y = page.scrollTop
+    let y = scrolledBy(pressed)
     let left = FRAMES
     // A browser that anchors on what stands below a figure would scroll by all that opens above it.
     page.style.setProperty('overflow-anchor', 'none')
     const keep = () => {
       if (down()) began = performance.now()
       const now = pressed.getBoundingClientRect()
-      // Who scrolls meanwhile wants to be elsewhere, and a figure out of sight does not answer.
+      // Who scrolls meanwhile, the page or a part of it, wants to be elsewhere, and a figure out of sight does not
+      // answer.
       if (
         mine !== presses ||
         left === 0 ||
         now.height === 0 ||
-        page.scrollTop !== y ||
+        scrolledBy(pressed) !== y ||
         performance.now() - began > PATIENCE_MS
       ) {
         if (mine === presses) page.style.removeProperty('overflow-anchor')
         return
       }
       if (Math.abs(now.top - top) >= 1) scrollBy({ top: now.top - top, behavior: 'instant' })
-      y = page.scrollTop
+      y = scrolledBy(pressed)
       if (!down() && !busy()) left--
       requestAnimationFrame(keep)
     }
     requestAnimationFrame(keep)
   }
+  // A press by a key has no finger.
   into.addEventListener(
     'click',
     ({ target }) => {
-      const pressed = target instanceof Element ? target.closest('button, label, summary') : null
+      const pressed = target instanceof Element ? target.closest(PRESSED) : null
       if (pressed) hold(pressed, () => false)
     },
     true,
   )
   into.addEventListener('pointerdown', ({ target }) => {
-    if (!(target instanceof HTMLInputElement) || target.type !== 'range') return
+    const pressed = target instanceof Element ? target.closest(`${PRESSED}, input[type="range"]`) : null
+    if (!pressed) return
     let down = true
     const lift = new AbortController()
     for (const end of ['pointerup', 'pointercancel'])
       addEventListener(end, () => lift.abort(), { signal: lift.signal, capture: true })
     lift.signal.addEventListener('abort', () => (down = false))
-    hold(target, () => down)
+    hold(pressed, () => down)
   })
+}
+
+/** What a press holds in place. */
+const PRESSED = 'button, label, summary'
+
+/**
+ * By how much an element has been moved up by all that scrolls around it, the page among it, pixels.
+ * @param {Element} element
+ */
+function scrolledBy(element) {
+  let sum = 0
+  for (let around = element.parentElement; around; around = around.parentElement) sum += around.scrollTop
+  return sum
 }
