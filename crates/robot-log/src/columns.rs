@@ -216,10 +216,17 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
         }
         Quantity::SigmaWords if name.has_one(&VARIANCES) => usual(VARIANCE),
         Quantity::SigmaWords => said.or_else(|| if most > 200.0 { None } else { usual("m") }),
-        // A speed over ground is often in knots.
-        Quantity::Speed => said.or_else(|| if most > 30.0 || name.has("sog") { None } else { usual("m/s") }),
+        // A ship's speed, over ground or through the water, is often in knots.
+        Quantity::Speed => {
+            said.or_else(|| if most > 30.0 || name.has_one(&["sog", "stw"]) { None } else { usual("m/s") })
+        }
+        // A ship's rate of turn: to starboard it counts above 0, and often in degrees a minute.
+        Quantity::AngleRate if name.has_one(&["rot"]) || name.has("rate") && name.has("of") => None,
         Quantity::AngleRate => {
             let degrees = match said {
+                Some(unit) if unit.name == "deg/min" => {
+                    return usual(if down { "deg/min clockwise" } else { unit.name });
+                }
                 Some(unit) => unit.name == "deg/s",
                 None if most > 20.0 => true,
                 // Faster than half a turn in a second: few robots are, and degrees may be meant.

@@ -78,7 +78,7 @@ const HEADINGS: [Unit; 6] = [
     Unit { name: HUNDREDTHS_FROM_NORTH, factor: -DEGREE / 100.0, zero: QUARTER, written: &HUNDREDTHS },
     unit(QUATERNION, 1.0, &[]),
 ];
-const RATES: [Unit; 4] = [
+const RATES: [Unit; 6] = [
     unit("rad/s", 1.0, &["rad s", "rads", "rad"]),
     unit(
         "deg/s",
@@ -87,6 +87,8 @@ const RATES: [Unit; 4] = [
     ),
     unit("rad/s clockwise", -1.0, &[]),
     unit("deg/s clockwise", -DEGREE, &[]),
+    unit("deg/min", DEGREE / 60.0, &["deg min", "degrees min", "degmin"]),
+    unit("deg/min clockwise", -DEGREE / 60.0, &[]),
 ];
 const COORDINATES: [Unit; 2] = [unit("deg", 1.0, &DEG), unit("1e-7 deg", 1e-7, &[])];
 /// What a wheel has done since the row before or in all, or how fast it is; a wheel's own angle needs its radius.
@@ -167,6 +169,7 @@ pub(crate) fn convert(unit: &Unit, number: f64) -> f64 {
     // A small unit has a whole number of parts in one: dividing by that rounds once.
     match unit.factor {
         factor if factor.abs() == DEGREE / 100.0 => unit.zero + (number / 100.0).to_radians() * factor.signum(),
+        factor if factor.abs() == DEGREE / 60.0 => unit.zero + (number / 60.0).to_radians() * factor.signum(),
         factor if factor == DEGREE => number.to_radians(),
         factor if factor == -DEGREE => unit.zero - number.to_radians(),
         factor => unit.zero + number / libm::round(1.0 / factor),

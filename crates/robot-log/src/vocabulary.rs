@@ -60,12 +60,12 @@ const WAYS: [(&str, &str); 21] = [
          yawrate,yaw speed,yawspeed,yaw vel,yaw velocity,turn rate,heading rate,=omega,=ω,=w,omega,ω,drehrate,\
          winkelgeschwindigkeit,gierrate,drehgeschwindigkeit,vitesse angulaire,vitesse rotation,vitesse lacet,\
          taux lacet,velocidad angular,velocidad giro,velocita angolare,velocita rotazione,velocita imbardata,\
-         angular velocity,angular speed,angular,rotational,wz,gyro",
+         angular velocity,angular speed,angular,rotational,wz,gyro,rate of turn,=rot",
     ),
     (
         "v",
         "linear x,=v,=vx,=speed,=spd,=sog,speed,forward,=geschwindigkeit,linear,velocity,vel,spd,v x,vx,^v,\
-         geschwindigkeit,geschw,fahrgeschwindigkeit,vitesse,velocidad,velocita",
+         geschwindigkeit,geschw,fahrgeschwindigkeit,vitesse,velocidad,velocita,=stw",
     ),
     (
         "distance",
