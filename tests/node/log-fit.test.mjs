@@ -9,12 +9,26 @@ import {
   isOfModel,
   rises,
   sentence as fitted,
+  untold,
   whyAsSet,
 } from '../../web/page/log-fit-words.js'
 import { judgement, suspect } from './verdicts.mjs'
 import { gated } from '../../web/page/log-remedy.js'
 
 const MOTION = { pace: 1, period: 0.1, ownDelay: 0.05 }
+
+test('of what a press sets, what the log does not tell is said', () => {
+  const number = (name, value, sigma, relative = true) => ({ name, value, sigma, relative, flat: null })
+  const told = [number('sigmaTurn', 0.02, 0.05), number('delayFix', 0.2, null, false)]
+  assert.deepEqual(untold(told), [])
+  assert.deepEqual(
+    untold([number('sigmaDistance', 1.00000123e-4, null), number('fixSigmaScale', 1.234, null), ...told]),
+    [
+      'The log does not tell the σ of the distance: it is set to 0.0001 m/√s, and others are about as likely.',
+      'The log does not tell the factor on the positions’ own σ: it is set to 1.2, and others are about as likely.',
+    ],
+  )
+})
 
 test('what a fit has found has as many digits as it is known to', () => {
   const number = (name, value, sigma, relative = false) => fitted({ name, value, sigma, relative, flat: null }, MOTION)

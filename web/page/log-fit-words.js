@@ -166,5 +166,18 @@ export function sentence(number, { pace, period, ownDelay, halfTurn = 0 }) {
   return `${words}: ${fixed(value * unit, digits)} ± ${fixed(told, digits)}${turns}${own}`
 }
 
+/**
+ * What is said of each σ that is set and that the log does not tell.
+ * @param {LogFound['numbers']} numbers
+ */
+export const untold = (numbers) =>
+  numbers
+    .filter(({ relative, sigma }) => relative && sigma === null)
+    .map(({ name, value }) => {
+      const [words, unit = ''] = (NAMES[name] ?? name).split(', ')
+      const set = `${Number(value.toPrecision(2))} ${unit}`.trim()
+      return `The log does not tell the ${words}: it is set to ${set}, and others are about as likely.`
+    })
+
 /** So many decimals that an uncertainty has two digits. @param {number} sigma */
 const decimalsOf = (sigma) => (sigma > 0 ? Math.max(0, Math.min(12, 1 - Math.floor(Math.log10(sigma)))) : 12)

@@ -4,7 +4,7 @@
  */
 
 import { button, part } from '../draw/dom.js'
-import { rounded } from './log-fit-words.js'
+import { rounded, untold } from './log-fit-words.js'
 import { gated, remedies } from './log-remedy.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
@@ -136,7 +136,7 @@ export class MendBar {
     const patch = await this.orders.settled({ ...rounded(answer.found.numbers), ...gate })
     if (this.fitting !== remedy) return
     this.fitting = null
-    this.told = words
+    this.told = [words, ...untold(answer.found.numbers)].join(' ').trim()
     this.words.textContent = ''
     this.hold()
     this.keep(patch, wanted)
