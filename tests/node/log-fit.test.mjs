@@ -17,36 +17,44 @@ import { gated } from '../../web/page/log-remedy.js'
 
 const MOTION = { pace: 1, period: 0.1, ownDelay: 0.05 }
 
-test('of what a press sets, what the log does not tell is said', () => {
-  const number = (name, value, sigma, relative = true) => ({ name, value, sigma, relative, flat: null })
-  const told = [number('sigmaTurn', 0.02, 0.05), number('delayFix', 0.2, null, false)]
-  assert.deepEqual(untold(told), [])
+test('a σ that the log does not tell stays, or is no greater than one that is as likely as all smaller ones', () => {
+  const number = (name, sigma, /** @type {number | null} */ most = null, relative = true) =>
+    /** @type {any} */ ({ name, value: 1e-4, sigma, relative, flat: null, most })
+  const params = { sigmaDistance: 0.1, sigmaTurn: 0.002, fixSigmaScale: 1 }
+  assert.deepEqual(untold([number('sigmaTurn', 0.05), number('delayFix', null, null, false)], params), [])
+  const all = [number('sigmaDistance', null, 0.00553), number('sigmaTurn', null, 0.004), number('fixSigmaScale', null)]
   assert.deepEqual(
-    untold([number('sigmaDistance', 1.00000123e-4, null), number('fixSigmaScale', 1.234, null), ...told]),
+    untold(all, params).map(({ value, words }) => [value, words]),
     [
-      'The log does not tell the σ of the distance: it is set to 0.0001 m/√s, and others are about as likely.',
-      'The log does not tell the factor on the positions’ own σ: it is set to 1.2, and others are about as likely.',
+      [0.00553, 'The log tells at most about 0.0055 m/√s as the σ of the distance: it is set so.'],
+      [0.002, 'The log tells at most about 0.004 rad/√s as the σ of the turn: it stays 0.002 rad/√s.'],
+      [1, 'The log does not tell the factor on the positions’ own σ: it stays 1.'],
     ],
   )
+  assert.equal(fitted(all[0], MOTION), 'σ of the distance, m/√s: at most about 0.0055; the log tells no more')
 })
 
 test('what a fit has found has as many digits as it is known to', () => {
-  const number = (name, value, sigma, relative = false) => fitted({ name, value, sigma, relative, flat: null }, MOTION)
+  const number = (name, value, sigma, relative = false) =>
+    fitted({ name, value, sigma, relative, flat: null, most: null }, MOTION)
   assert.equal(number('delayFix', 0.38547, 0.00134), 'delay of the positions, s: 0.3855 ± 0.0013')
   assert.equal(number('delayFix', 0.399941, 0.0000202), 'delay of the positions, s: 0.399941 ± 0.000020')
   assert.equal(number('sigmaFix', 0.029967, 0.01342, true), 'σ of a position, m: 0.02997 ± 1.3 %')
   assert.equal(number('headingOffset', 0.2, 0.0025), 'offset of the headings, °: 11.46 ± 0.14')
   assert.equal(number('offset', -12.3, 25), 'offset of the ranges, m: −12 ± 25')
   assert.match(number('scale', 0.03, null), /does not tell it/)
-  const turned = { name: 'bearingOffset', value: 0.0567, sigma: 0.0008, relative: false, flat: null }
+  const turned = { name: 'bearingOffset', value: 0.0567, sigma: 0.0008, relative: false, flat: null, most: null }
   assert.equal(
     fitted(turned, { ...MOTION, halfTurn: 0.0042 }),
     'offset of the bearings, °: 3.249 ± 0.046, of which 0.241 may be the motion model’s own, half of the turn of a ' +
       'step',
   )
   assert.doesNotMatch(fitted(turned, { ...MOTION, halfTurn: 0.0002 }), /own/)
-  const stair = fitted({ name: 'delayFix', value: 0.317, sigma: 0.025, relative: false, flat: [0.3, 0.4] }, MOTION)
-  const short = { name: 'delaySighting', value: -0.0108, sigma: 0.0023, relative: false, flat: null }
+  const stair = fitted(
+    { name: 'delayFix', value: 0.317, sigma: 0.025, relative: false, flat: [0.3, 0.4], most: null },
+    MOTION,
+  )
+  const short = { name: 'delaySighting', value: -0.0108, sigma: 0.0023, relative: false, flat: null, most: null }
   const own = /: −0\.0108 ± 0\.0023: less than half a step between rows of motion, 0\.05 s, .* own, and not taken$/
   assert.match(fitted(short, MOTION), own)
   assert.deepEqual([isOfModel(short, 0.05), isOfModel(short, 0.01)], [true, false])
@@ -102,7 +110,7 @@ test('what a fit tells by less than twice its ± from what is set stays, and a �
 
 test('a delay that its ± tells less well than the rows of motion has its ±', () => {
   /** @type {import('estimate-wasm').LogFound['numbers'][number]} */
-  const number = { name: 'delayFix', value: 0.65, relative: false, sigma: 0.04, flat: [0.64, 0.66] }
+  const number = { name: 'delayFix', value: 0.65, relative: false, sigma: 0.04, flat: [0.64, 0.66], most: null }
   const motion = { pace: 1, period: 0.1, ownDelay: 0 }
   assert.match(fitted(number, motion), /^delay of the positions, s: 0\.650 ± 0\.040$/)
   assert.match(fitted({ ...number, sigma: 0.005 }, motion), /0\.64 to 0\.66, all alike/)

@@ -77,7 +77,7 @@ test('the σ of a start at the first fix goes with the factor where each fix bri
 
 test('a fit says the factor relative to itself, as it does a σ', () => {
   const found = fitted(
-    { name: 'fixSigmaScale', value: 5.0123, sigma: 0.0236, relative: true, flat: null },
+    { name: 'fixSigmaScale', value: 5.0123, sigma: 0.0236, relative: true, flat: null, most: null },
     { pace: 1, period: 0.1, ownDelay: 0.05 },
   )
   assert.equal(found, 'factor on the positions’ own σ: 5.01 ± 2.4 %')

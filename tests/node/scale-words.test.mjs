@@ -81,7 +81,7 @@ test('what lies at the end of a search is more than that, and has no ±', () => 
 
 test('a σ of the distance that is a good part of the way is told with what it may hide', () => {
   const hides = 'So much is 40 % of what is driven in a second: a fault of the motion may hide in it.'
-  const number = { name: 'sigmaDistance', value: 0.6, sigma: 0.03, relative: true, flat: null }
+  const number = { name: 'sigmaDistance', value: 0.6, sigma: 0.03, relative: true, flat: null, most: null }
   assert.equal(
     fitted(number, { pace: 1.5, period: 0.1, ownDelay: 0.05 }),
     `σ of the distance, m/√s: 0.600 ± 3.0 %. ${hides}`,

@@ -30,7 +30,7 @@ const NAMES = {
   headingOffset: 'offset of the headings, °',
 }
 
-/** As they are set: six digits are enough for each. @param {LogFound['numbers']} numbers */
+/** As they are set: six digits are enough for each. @param {{ name: string, value: number }[]} numbers */
 export const rounded = (numbers) =>
   Object.fromEntries(numbers.map(({ name, value }) => [name, Number(value.toPrecision(6))]))
 
@@ -144,10 +144,11 @@ export function delaysAreOfModel(numbers, ownDelay) {
  * seconds between its rows and of a delay that is the model’s own, 0 where none is, and half the mean turn of a step
  */
 export function sentence(number, { pace, period, ownDelay, halfTurn = 0 }) {
-  const { name, value, relative, sigma, flat } = number
+  const { name, value, relative, sigma, flat, most } = number
   const words = NAMES[name] ?? name
   if (flat && isStair(flat, sigma))
     return `${words}: ${fixed(flat[0], 2)} to ${fixed(flat[1], 2)}, all alike: the log has no row of motion in between`
+  if (sigma === null && most) return `${words}: at most about ${Number(most.toPrecision(2))}; the log tells no more`
   if (sigma === null) return `${words}: the log does not tell it.`
   const unit = words.endsWith('°') ? 180 / Math.PI : 1
   const told = (relative ? value * sigma : sigma) * unit
@@ -167,16 +168,21 @@ export function sentence(number, { pace, period, ownDelay, halfTurn = 0 }) {
 }
 
 /**
- * What is said of each σ that is set and that the log does not tell.
- * @param {LogFound['numbers']} numbers
+ * The σ that a log does not tell, and what is made of each: as it is set, but no greater than one that is about as
+ * likely as all smaller ones. A filter that is too sure of itself is the worse one.
+ * @param {LogFound['numbers']} numbers @param {Record<string, any>} params
  */
-export const untold = (numbers) =>
+export const untold = (numbers, params) =>
   numbers
     .filter(({ relative, sigma }) => relative && sigma === null)
-    .map(({ name, value }) => {
+    .map(({ name, most }) => {
+      const now = params[name] ?? 0
+      const value = Math.min(now, most ?? Infinity)
       const [words, unit = ''] = (NAMES[name] ?? name).split(', ')
-      const set = `${Number(value.toPrecision(2))} ${unit}`.trim()
-      return `The log does not tell the ${words}: it is set to ${set}, and others are about as likely.`
+      const much = (/** @type {number} */ number) => `${Number(number.toPrecision(2))} ${unit}`.trim()
+      const told = most === null ? 'The log does not tell' : `The log tells at most about ${much(most)} as`
+      const ends = value < now ? 'it is set so' : `it stays ${much(now)}`
+      return { name, value, words: `${told} the ${words}: ${ends}.` }
     })
 
 /** So many decimals that an uncertainty has two digits. @param {number} sigma */

@@ -11,6 +11,7 @@ import {
   rises,
   rounded,
   sentence,
+  untold,
   whyAsSet,
 } from './log-fit-words.js'
 
@@ -133,8 +134,9 @@ export class FitForm {
     for (const number of numbers)
       part(document, list, 'li', '').textContent = `${sentence(number, motion)}${stays(number)}`
     const taken = numbers.filter((one) => one.sigma !== null && !isOfModel(one, motion.ownDelay) && !stays(one))
-    const patch = rounded(taken)
-    if (Object.keys(patch).length === 0) return
+    if (taken.length === 0) return
+    // What the log does not tell stays, where what was found beside it holds with it.
+    const patch = rounded([...taken, ...untold(numbers, this.params ?? {})])
     const actions = part(document, result, 'div', 'log-actions')
     button(document, actions, 'Take what the log tells', () => {
       this.taking = true

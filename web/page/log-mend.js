@@ -132,11 +132,13 @@ export class MendBar {
       return this.free(answer.message ?? answer.why ?? GIVEN_UP)
     }
     const { gate, words } = gated(answer.found, wanted)
-    // One that the log does not tell is where it is as likely as anywhere, or the least that is tried.
-    const patch = await this.orders.settled({ ...rounded(answer.found.numbers), ...gate })
+    const { numbers } = answer.found
+    const free = untold(numbers, wanted)
+    const found = { ...rounded(numbers), ...rounded(free) }
+    const patch = await this.orders.settled({ ...found, ...gate })
     if (this.fitting !== remedy) return
     this.fitting = null
-    this.told = [words, ...untold(answer.found.numbers)].join(' ').trim()
+    this.told = [words, ...free.map((one) => one.words)].join(' ').trim()
     this.words.textContent = ''
     this.hold()
     this.keep(patch, wanted)

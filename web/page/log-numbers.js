@@ -239,11 +239,20 @@ export function settingsOf({ params, summary }, contents = null) {
  * @param {import('estimate-wasm').LogFrame['summary']} summary
  */
 export function learnedWords({ speedScale, speedScaleSigma, turnBias, turnBiasSigma }) {
-  const { NaN: unknown } = Number
   return {
-    speed: speedScale === null ? '' : `× ${fixed(1 + speedScale, 3)} ± ${fixed(speedScaleSigma ?? unknown, 3)}`,
-    bias: turnBias === null ? '' : `${fixed(turnBias, 4)} ± ${fixed(turnBiasSigma ?? unknown, 4)} rad/s`,
+    speed: speedScale === null ? '' : `× ${known(1 + speedScale, speedScaleSigma, 3)}`,
+    bias: turnBias === null ? '' : `${known(turnBias, turnBiasSigma, 4)} rad/s`,
   }
+}
+
+/**
+ * A number and its ±, of which two digits are seen.
+ * @param {number} value @param {number | null} sigma @param {number} least decimals
+ */
+function known(value, sigma, least) {
+  const told = sigma === null || !(sigma > 0) ? least : Math.min(9, 1 - Math.floor(Math.log10(sigma)))
+  const places = Math.max(least, told)
+  return `${fixed(value, places)} ± ${fixed(sigma ?? NaN, places)}`
 }
 
 /** What tells where a log begins. @param {import('estimate-wasm').LogContents} contents */

@@ -1,6 +1,6 @@
 /** What mends a fault that the verdict names, as its sentence says: a setting, a fit of several, or another reading. */
 
-import { decimal } from '../draw/numbers.js'
+import { decimal, fixed } from '../draw/numbers.js'
 import { factors } from '../widgets/robot-log/driven.js'
 import { rounded } from '../widgets/robot-log/sized.js'
 import { wrapped } from '../widgets/robot-log/start.js'
@@ -75,6 +75,27 @@ function corrected({ fault, landmarks: ids, sizes }, log) {
   return { press, corrections: { ...log.corrections, landmarks: [...others, ...places] } }
 }
 
+/** Beside a gap of more than this share of the longest stretch without one, no other fault is told. */
+const MUCH = 0.05
+
+/**
+ * The longest stretch of a log between gaps in its motion, which is read alone.
+ * @param {LogJudgement} judgement @param {Frame['log']} log
+ * @returns {(Remedy & { only: boolean }) | null} `only` where nothing else is to be pressed first
+ */
+function cut({ gaps, suspects: [first] }, log) {
+  if (!log?.corrections || gaps.length === 0 || first.standing === 'cleared') return null
+  const length = (/** @type {[number, number]} */ [from, to]) => to - from
+  const { longest, between } = gaps.reduce((one, other) => (length(other.longest) > length(one.longest) ? other : one))
+  const [before] = log.corrections.kept ?? [0]
+  const [from, to] = between.map((time) => fixed(time, 1))
+  return {
+    press: `Cut the log: keep ${from} to ${to} s`,
+    corrections: { ...log.corrections, kept: [before + between[0], before + between[1]] },
+    only: length(longest) > MUCH * length(between),
+  }
+}
+
 /**
  * The setting that mends a fault as its sentence says, and the words of the press; null where the reader has to mend
  * the file, a unit or the truth.
@@ -111,11 +132,23 @@ export function remedy(suspect, params, truth, log = null) {
 }
 
 /**
- * The presses for what a judgement names: one, or two where the readings do not tell which it is.
+ * The presses for what a judgement names: one, or two where the readings do not tell which it is; before them one that
+ * cuts the log where its motion is not read.
  * @param {LogJudgement | null} judgement @param {Frame} frame
  * @returns {Remedy[]}
  */
-export function remedies(judgement, { params, truth, log }) {
+export function remedies(judgement, frame) {
+  const first = judgement && cut(judgement, frame.log)
+  if (!first) return mending(judgement, frame)
+  const { only, ...press } = first
+  return only ? [press] : [press, ...mending(judgement, frame)]
+}
+
+/**
+ * @param {LogJudgement | null} judgement @param {Frame} frame
+ * @returns {Remedy[]}
+ */
+function mending(judgement, { params, truth, log }) {
   // What may be no fault has no press.
   const suspects = judgement ? [...named(judgement, log), ...likeliest(judgement)].filter(({ own }) => !own) : []
   const together = judgement ? unsettled(judgement) : []

@@ -18,12 +18,19 @@ export interface LogCorrections {
     landmarks: [number, number, number][];
     /** The id of each landmark whose ranges are taken shorter than they are read, and by how much, metres. */
     ranges: [number, number][];
+    /** From when to when the log is read, seconds since the first row of its files; null where all of it is. */
+    kept?: [number, number] | null;
 }
 "#;
 
-/// What a caller says of them: two factors, id, x and y of landmarks, and id and metres of ranges, which may be left
-/// out.
-pub(crate) fn read(driven: &JsValue, landmarks: &JsValue, ranges: &JsValue) -> Result<Corrections, Error> {
+/// What a caller says of them: two factors, id, x and y of landmarks, id and metres of ranges, and two times; the last
+/// two may be left out.
+pub(crate) fn read(
+    driven: &JsValue,
+    landmarks: &JsValue,
+    ranges: &JsValue,
+    kept: &JsValue,
+) -> Result<Corrections, Error> {
     let driven = Arg::new(driven, "driven").exactly()?;
     let landmarks = Arg::new(landmarks, "landmarks").every(MAX_LANDMARKS, |place| {
         let [id, x, y] = place.exactly()?;
@@ -35,7 +42,13 @@ pub(crate) fn read(driven: &JsValue, landmarks: &JsValue, ranges: &JsValue) -> R
         Ok((id_of(id, "ranges")?, finite(by, "ranges")?))
     };
     let ranges = if ranges.is_undefined() { Vec::new() } else { ranges.every(MAX_LANDMARKS, shorter)? };
-    Ok(Corrections { driven, landmarks: landmarks.into_iter().collect(), ranges: ranges.into_iter().collect() })
+    let kept = Arg::new(kept, "kept");
+    let kept = if kept.is_undefined() || kept.is_null() { None } else { Some(kept.exactly()?) };
+    if kept.is_some_and(|[from, to]: [f64; 2]| from >= to) {
+        return Err(Error::new(Code::Limit, "kept", "ends before it begins"));
+    }
+    let (landmarks, ranges) = (landmarks.into_iter().collect(), ranges.into_iter().collect());
+    Ok(Corrections { driven, landmarks, ranges, kept })
 }
 
 fn id_of(id: f64, name: &'static str) -> Result<u32, Error> {
@@ -51,5 +64,6 @@ pub(crate) fn shown(corrections: &Corrections) -> JsValue {
         ("driven", list(&corrections.driven)),
         ("landmarks", places.collect::<Array>().into()),
         ("ranges", ranges.collect::<Array>().into()),
+        ("kept", corrections.kept.map_or(JsValue::NULL, |kept| list(&kept))),
     ])
 }

@@ -26,6 +26,8 @@ export interface LogFound {
         name: string; value: number; relative: boolean; sigma: number | null;
         /** Of a delay, from where to where the likelihood is the same: a log of odometry tells no more; else null. */
         flat: [number, number] | null;
+        /** Of a σ that may as well be smaller, the greatest that is about as likely; else null. */
+        most: number | null;
     }[];
     /** The log-likelihood of the counted readings before and after. */
     logLikelihood: [number, number];
@@ -95,6 +97,7 @@ fn number_of(arg: &Arg<'_>) -> Result<Fitted, Error> {
 
 fn shown(found: &FitResult) -> JsValue {
     let flat = |of: &Fitted| found.flat.iter().find(|(number, _)| number == of).map(|(_, flat)| list(flat));
+    let most = |of: &Fitted| found.at_most.iter().find(|(number, _)| number == of).map(|(_, most)| (*most).into());
     let numbers = found.numbers.iter().map(|(number, value, sigma)| {
         record(&[
             ("name", number.name().into()),
@@ -102,6 +105,7 @@ fn shown(found: &FitResult) -> JsValue {
             ("relative", number.is_sigma().into()),
             ("sigma", sigma.map_or(JsValue::NULL, Into::into)),
             ("flat", flat(number).unwrap_or(JsValue::NULL)),
+            ("most", most(number).unwrap_or(JsValue::NULL)),
         ])
     });
     record(&[

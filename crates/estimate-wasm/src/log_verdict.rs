@@ -130,10 +130,13 @@ export interface LogJudgement {
     /** What of the innovations does not look like noise, once all was looked at. */
     noise: LogNoise;
     /**
-     * Where no motion was read, by what is missing: how many gaps, and from when to when the longest is, seconds since
-     * the first row.
+     * Where no motion was read, by what is missing: how many gaps, from when to when the longest is, and the longest
+     * stretch between them, seconds since the first row.
      */
-    gaps: { what: 'held' | 'speed' | 'turn rate' | 'odometry'; count: number; longest: [number, number] }[];
+    gaps: {
+        what: 'held' | 'speed' | 'turn rate' | 'odometry'; count: number; longest: [number, number];
+        between: [number, number];
+    }[];
     /** Whether no suspect, mended, brings the filter nearer to the truth: something else is wrong. */
     other: boolean;
 }
@@ -245,7 +248,13 @@ fn landmarks(ids: &[u32]) -> JsValue {
 }
 
 fn gap(gaps: &Gaps) -> JsValue {
-    record(&[("what", gaps.what.name().into()), ("count", gaps.count.into()), ("longest", list(&gaps.longest))])
+    let (longest, between) = (list(&gaps.longest), list(&gaps.between));
+    record(&[
+        ("what", gaps.what.name().into()),
+        ("count", gaps.count.into()),
+        ("longest", longest),
+        ("between", between),
+    ])
 }
 
 fn size(Size { now, value, sigma, end }: &Size) -> JsValue {

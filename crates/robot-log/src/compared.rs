@@ -39,7 +39,7 @@ impl Files {
 
     /// What brings the truth onto the fixes, where the files can be read so far.
     fn found(&self, framed: bool) -> Option<Own> {
-        let log = self.is_sound().then(|| self.gathered(true).ok()?.0.finish(None).ok())??.log;
+        let log = self.is_sound().then(|| self.gathered(true).ok()?.0.finish(None, None).ok())??.log;
         own(&log.drive, framed)
     }
 

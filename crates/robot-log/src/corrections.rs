@@ -1,5 +1,5 @@
 //! What is read otherwise than the files have it, as a verdict on the log proposes it: distances and turns of odometry
-//! by factors, landmarks at other places, and the ranges of one shorter.
+//! by factors, landmarks at other places, the ranges of one shorter, and a part of the log alone.
 
 use crate::frames::signed;
 use estimate::drive::{Drive, Event};
@@ -17,20 +17,23 @@ pub struct Corrections {
     pub landmarks: BTreeMap<u32, [f64; 2]>,
     /// By how much ranges are taken shorter than they are read, by the numbers of their landmarks; m.
     pub ranges: BTreeMap<u32, f64>,
+    /// From when to when the log is read, s since the first row of its files; all of it where nothing is said.
+    pub kept: Option<[f64; 2]>,
 }
 
 impl Default for Corrections {
     fn default() -> Self {
-        Self { driven: [1.0; 2], landmarks: BTreeMap::new(), ranges: BTreeMap::new() }
+        Self { driven: [1.0; 2], landmarks: BTreeMap::new(), ranges: BTreeMap::new(), kept: None }
     }
 }
 
 impl Corrections {
-    /// Whether a log can be read so: factors are above 0, and all is finite.
+    /// Whether a log can be read so: factors are above 0, a part ends after it begins, and all is finite.
     pub(crate) fn is_sound(&self) -> bool {
         let factor = |by: &f64| by.is_finite() && *by > 0.0;
         let metres = self.landmarks.values().flatten().chain(self.ranges.values());
-        self.driven.iter().all(factor) && { metres }.all(|at| at.is_finite())
+        let part = self.kept.is_none_or(|[from, to]| from.is_finite() && to.is_finite() && from < to);
+        part && self.driven.iter().all(factor) && { metres }.all(|at| at.is_finite())
     }
 
     /// Reads a log so, and says what was done; what it says of landmarks that the log has not, or of odometry where

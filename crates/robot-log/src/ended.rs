@@ -2,30 +2,18 @@
 //! sensor's readings end before the log does.
 
 use crate::sensed::{MISSED, READ};
-use estimate::drive::{Drive, Event, Motion, Row};
+use estimate::drive::{Drive, Event, Motion, Row, end_without};
 
-/// It has ended where so many usual steps are missing, and more than so much time, s: as long as a gap has to be.
-const STEPS: f64 = 10.0;
+/// It has ended where more than so much time is missing, s: as long as a gap has to be.
 const LEAST: f64 = 1.0;
-
-/// From when to when rows of a kind are missing at the end for longer than `least`, s after the first row of all.
-fn missing(rows: &[Row], is: fn(&Event) -> bool, least: f64) -> Option<[f64; 2]> {
-    let (first, end) = (rows.first()?.time, rows.last()?.time);
-    let times: Vec<f64> = rows.iter().filter(|row| is(&row.event)).map(|row| row.time).collect();
-    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 0.0).collect();
-    steps.sort_unstable_by(f64::total_cmp);
-    let enough = least.max(STEPS * steps.get(steps.len() / 2).copied().unwrap_or(0.0));
-    let last = times.last()?;
-    (end - last > enough).then(|| [last - first, end - first])
-}
 
 /// What is said of it: what ends, and what is done from there on.
 pub(crate) fn ended(drive: &Drive) -> Vec<String> {
     let rows = &drive.rows;
-    let (speed, turn) = (missing(rows, Event::has_speed, LEAST), missing(rows, Event::has_turn_rate, LEAST));
+    let (speed, turn) = (end_without(rows, LEAST, Event::has_speed), end_without(rows, LEAST, Event::has_turn_rate));
     let found = match drive.motion {
         Motion::Odometry | Motion::EvenOdometry => {
-            [missing(rows, Event::is_motion, LEAST).map(|of| ("motion", of, "the robot is taken to stand")), None]
+            [end_without(rows, LEAST, Event::is_motion).map(|of| ("motion", of, "the robot is taken to stand")), None]
         }
         Motion::Velocity if speed == turn => {
             [speed.map(|of| ("motion", of, "the last speed and turn rate are held")), None]
@@ -51,7 +39,7 @@ pub(crate) fn ended_readings(rows: &[Row]) -> Vec<String> {
         return Vec::new();
     };
     let said = |(what, is): &(&str, fn(&Event) -> bool)| {
-        let [last, end] = missing(rows, *is, MISSED).filter(|[last, _]| first.time + last >= moves.time)?;
+        let [last, end] = end_without(rows, MISSED, *is).filter(|[last, _]| first.time + last >= moves.time)?;
         let [last, end] = [last, end].map(|time| (10.0 * time).round() / 10.0);
         Some(format!(
             "The last of the {what} is {last} s after the first row, and the log goes on to {end} s: from there on the \

@@ -198,7 +198,7 @@ impl Files {
             return Err(self.without_motion());
         }
         let own = self.files.iter().find(|file| file.frame() == Some(Frame::Own)).and_then(File::own);
-        let mut read = reading.finish(own)?;
+        let mut read = reading.finish(own, self.corrections.kept)?;
         read.wheels = beside::wheels(&self.files);
         let corrected = self.corrections.onto(&mut read.log.drive, &read.landmarks);
         read.notes.extend(corrected);

@@ -230,7 +230,7 @@ pub(crate) fn lacking(drive: &Drive) -> Option<String> {
 
 /// Where no motion was read: the replay goes on with what it has, and says so.
 pub(crate) fn gaps(drive: &Drive) -> Vec<String> {
-    let note = |Gaps { what, count, longest }: Gaps| {
+    let note = |Gaps { what, count, longest, .. }: Gaps| {
         let (rows, held) = match what {
             Missing::Held => ("rows of motion", "the last speed and turn rate are held meanwhile"),
             Missing::Speed => ("speed", "the last one is held meanwhile"),

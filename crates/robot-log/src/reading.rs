@@ -264,8 +264,8 @@ impl LogReader {
         self.to.poses().iter().chain(&self.without_heading).chain(moved).copied().collect()
     }
 
-    /// The log, and what was left out of it; its truth is brought onto the fixes by what is given.
-    pub fn finish(mut self, own: Option<&Own>) -> Result<Understood, Error> {
+    /// The log, or the part that is kept, and what was left out; its truth is brought onto the fixes by what is given.
+    pub fn finish(mut self, own: Option<&Own>, kept: Option<[f64; 2]>) -> Result<Understood, Error> {
         let mut notes = self.notes;
         if let Some(origin) = self.origin {
             notes.push(origin.note());
@@ -286,6 +286,7 @@ impl LogReader {
             log.drive.truth = own.truth(&log.drive.truth);
             notes.push(own.note());
         }
+        notes.extend(kept.map(|kept| log.cut(kept)));
         let file = |row: &Row| Some(self.files.iter().find(|(_, end)| (row.line as usize) < *end)?.0.as_str());
         notes.extend(notes::times(&log.drive, file));
         notes.extend(frames::apart(&log.drive));

@@ -1,6 +1,6 @@
 //! A log that is read otherwise than its files have it.
 
-use estimate::drive::Event;
+use estimate::drive::{Event, gaps_and_end};
 use robot_log::{Corrections, Files};
 use std::collections::BTreeMap;
 
@@ -24,6 +24,7 @@ fn distances_turns_and_places_are_taken_otherwise_and_that_is_said() {
         driven: [1.02, 0.5],
         landmarks: BTreeMap::from([(1, [1.25, 2.0]), (9, [0.0; 2])]),
         ranges: BTreeMap::from([(2, 0.4), (9, 1.0)]),
+        kept: None,
     }));
     let read = log.read().expect("sound");
     let driven: Vec<_> = read.log.drive.rows.iter().filter(|row| row.event.is_motion()).map(|row| row.event).collect();
@@ -54,5 +55,37 @@ fn what_no_log_can_be_read_by_is_refused() {
         assert!(!log.correct(Corrections { driven, ..Corrections::default() }), "{driven:?}");
     }
     assert!(!log.correct(Corrections { landmarks: BTreeMap::from([(1, [f64::NAN, 0.0])]), ..Corrections::default() }));
+    for kept in [[2.0, 2.0], [2.0, 1.0], [f64::NAN, 1.0], [0.0, f64::INFINITY]] {
+        assert!(!log.correct(Corrections { kept: Some(kept), ..Corrections::default() }), "{kept:?}");
+    }
     assert_eq!(*log.corrections(), Corrections::default());
+}
+
+#[test]
+fn a_part_of_a_log_is_read_alone_with_its_truth_and_without_the_gap_beside_it() {
+    let mut log = Files::default();
+    let moves = |k: i32| format!("{:.1},1,0.1\n", 100.0 + 0.1 * f64::from(k));
+    let motion: String = (0..200).filter(|k| *k < 50 || *k >= 120).map(moves).collect();
+    let truth: String = (-10..200).map(|k| format!("{:.1},{k},0,0\n", 100.0 + 0.1 * f64::from(k))).collect();
+    log.add("odom.csv", &format!("time_s,v,omega\n{motion}")).expect("motion");
+    log.add("groundtruth.csv", &format!("time_s,x,y,heading_rad\n{truth}")).expect("truth");
+    let whole = log.read().expect("sound");
+    let [gap] = gaps_and_end(&whole.log.drive.rows, whole.log.drive.motion)[..] else { panic!("one gap") };
+    let near = |found: [f64; 2], wanted: [f64; 2]| found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-9);
+    assert!(near(gap.longest, [4.9, 12.0]) && near(gap.between, [12.0, 19.9]), "{gap:?}");
+    assert!(log.correct(Corrections { kept: Some(gap.between), ..Corrections::default() }));
+    let part = log.read().expect("sound");
+    let drive = &part.log.drive;
+    assert!(near(drive.span().expect("rows"), [112.0, 119.9]) && drive.rows.len() == 80);
+    assert_eq!((drive.truth.poses().len(), drive.truth.poses()[0].x), (80, 120.0));
+    assert_eq!(whole.log.count - part.log.count, 50 + 130);
+    assert!(gaps_and_end(&drive.rows, drive.motion).is_empty());
+    let said = |notes: &[String], of: &str| notes.iter().any(|note| note.contains(of));
+    assert!(said(&whole.notes, "No rows of motion from 4.9 to 12 s") && !said(&part.notes, "No rows of motion"));
+    assert!(said(&part.notes, "The log is read from 12.0 to 19.9 s after its first row."));
+    // Where nothing moves, nothing is cut.
+    assert!(log.correct(Corrections { kept: Some([6.0, 11.0]), ..Corrections::default() }));
+    let all = log.read().expect("sound");
+    assert_eq!(all.log, whole.log);
+    assert!(said(&all.notes, "No motion lies from 6.0 to 11.0 s after the first row: all of the log is read."));
 }

@@ -121,4 +121,20 @@ fn a_sigma_at_the_least_that_is_tried_is_not_told() {
     }
     let (fix, told) = of(&found, Fitted::SigmaFix);
     assert!((fix - 0.3).abs() < 0.05 && told.is_some_and(|it| it < 0.2), "{fix} {told:?}");
+    // The greatest that is about as likely as all smaller ones costs half a unit of the log-likelihood.
+    let drive = parse(&text).expect("a log").drive;
+    let at = |which| of(&found, which).0;
+    assert_eq!(found.at_most.len(), 2, "{:?}", found.at_most);
+    for (which, most) in &found.at_most {
+        let mut settings = Settings { sigma_fix: at(Fitted::SigmaFix), ..Settings::default() };
+        settings.delays.fix = at(Fitted::DelayFix);
+        (settings.sigma_distance, settings.sigma_turn) = (at(Fitted::SigmaDistance), at(Fitted::SigmaTurn));
+        let of = if *which == Fitted::SigmaTurn { &mut settings.sigma_turn } else { &mut settings.sigma_distance };
+        assert!(*most > *of);
+        *of = *most;
+        let mut there = Fit::only(&drive, settings, &[Fitted::SigmaFix]).expect("readings");
+        there.step(&drive).expect("a replay");
+        let fall = found.log_likelihood[1] - there.found().log_likelihood[0];
+        assert!((0.3..0.51).contains(&fall), "{which:?} at most {most}: {fall}");
+    }
 }

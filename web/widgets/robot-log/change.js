@@ -22,5 +22,7 @@ export function applyChange(files, change) {
   if (frame !== undefined) files.setFrame(file, frame)
   if (origin !== undefined) files.setOrigin(file, ...origin)
   if (clockShift !== undefined) files.setClockShift(file, clockShift)
-  if (corrections !== undefined) files.correct(corrections.driven, corrections.landmarks, corrections.ranges)
+  if (corrections === undefined) return
+  const { driven, landmarks, ranges, kept } = corrections
+  files.correct(driven, landmarks, ranges, kept)
 }

@@ -263,10 +263,12 @@ impl Fit {
         let sigmas = self.told.as_ref().map(Told::sigmas);
         let sigma = |i: usize| sigmas.as_ref().and_then(|sigmas| sigmas[i]);
         let number = |(i, number): (usize, &Fitted)| (*number, number.value(self.at[i]), sigma(i));
+        let edge = |(i, above): (usize, f64)| (self.numbers[i], self.numbers[i].value(self.at[i] + above));
         let further = if self.gates == BySensor::all(None) || self.clean.is_some() { 0 } else { MOST_REPLAYS };
         let most = self.until + further + Told::most(self.numbers.len());
         FitResult {
             numbers: self.numbers.iter().enumerate().map(number).collect(),
+            at_most: self.told.iter().flat_map(Told::edges).map(edge).collect(),
             log_likelihood: [self.first.unwrap_or(self.best), self.best + self.of_outliers],
             readings: self.readings,
             outliers: (self.gates != BySensor::all(None)).then_some(self.outliers),

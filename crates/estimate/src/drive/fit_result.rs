@@ -9,6 +9,9 @@ pub struct FitResult {
     /// Each number: what it is, its value, and its standard deviation, relative of a σ, else in the number's unit.
     /// `None` where the log does not tell it.
     pub numbers: Vec<(Fitted, f64, Option<f64>)>,
+    /// The σ that the log does not tell since smaller ones are about as likely, and the greatest that is: the
+    /// log-likelihood is less by a half there.
+    pub at_most: Vec<(Fitted, f64)>,
     /// The log-likelihood of the counted readings before and after, where what a gate refuses is taken for outliers.
     pub log_likelihood: [f64; 2],
     /// How many readings are counted.

@@ -32,6 +32,9 @@ impl Missing {
     }
 }
 
+/// An end without motion is a gap where it is so much of the log: loggers are switched off one after the other.
+const END: f64 = 0.02;
+
 /// How many gaps there are, and the longest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gaps {
@@ -41,6 +44,21 @@ pub struct Gaps {
     pub count: u32,
     /// From when to when the longest is, s since the first row.
     pub longest: [f64; 2],
+    /// From when to when the longest stretch between them is, s since the first row.
+    pub between: [f64; 2],
+}
+
+impl Gaps {
+    /// Those of one kind, in their order, in a log of so many seconds.
+    fn of(what: Missing, all: &[[f64; 2]], duration: f64) -> Option<Self> {
+        let length = |[from, to]: &[f64; 2]| to - from;
+        let longest = *all.iter().max_by(|a, b| length(a).total_cmp(&length(b)))?;
+        let begins = core::iter::once(0.0).chain(all.iter().map(|gap| gap[1]));
+        let ends = all.iter().map(|gap| gap[0]).chain([duration]);
+        let between = begins.zip(ends).map(|(from, to)| [from, to]);
+        let between = between.max_by(|a, b| length(a).total_cmp(&length(b)))?;
+        Some(Self { what, count: all.len() as u32, longest, between })
+    }
 }
 
 /// The gaps between rows of motion, by what they lack: more than ten median steps, and more than a second.
@@ -55,11 +73,31 @@ pub struct Gaps {
 /// assert_eq!((found.len(), found[0].what, found[0].count, found[0].longest), (1, Missing::Held, 1, [1.9, 4.0]));
 /// ```
 pub fn gaps(rows: &[Row], motion: Motion) -> Vec<Gaps> {
+    by_kind(rows, motion, |is| long(rows, LEAST, is))
+}
+
+/// As [`gaps`], and the stretch from the last row of motion to the last of all, where it is long as well.
+///
+/// # Example
+/// ```
+/// use estimate::drive::{Event, Motion, Row, gaps_and_end};
+/// let mut rows: Vec<Row> = (0..50).map(|k| Row::new(f64::from(k), Event::Velocity { v: 1.0, omega: 0.0 })).collect();
+/// rows.push(Row::new(99.0, Event::Position { x: 0.0, y: 0.0, sigma: None }));
+/// let [end] = gaps_and_end(&rows, Motion::Velocity)[..] else { panic!("one") };
+/// assert_eq!((end.longest, end.between), ([49.0, 99.0], [0.0, 49.0]));
+/// ```
+pub fn gaps_and_end(rows: &[Row], motion: Motion) -> Vec<Gaps> {
+    let least = LEAST.max(END * duration(rows));
+    by_kind(rows, motion, |is| long(rows, LEAST, is).into_iter().chain(end_without(rows, least, is)).collect())
+}
+
+fn by_kind(rows: &[Row], motion: Motion, long: impl Fn(fn(&Event) -> bool) -> Vec<[f64; 2]>) -> Vec<Gaps> {
+    let of = |what, is| Gaps::of(what, &long(is), duration(rows));
     if motion.is_odometry() {
-        return of(rows, Missing::Odometry, Event::is_motion).into_iter().collect();
+        return of(Missing::Odometry, Event::is_motion).into_iter().collect();
     }
-    let speed = of(rows, Missing::Speed, Event::has_speed);
-    let turn = of(rows, Missing::TurnRate, Event::has_turn_rate);
+    let speed = of(Missing::Speed, Event::has_speed);
+    let turn = of(Missing::TurnRate, Event::has_turn_rate);
     match (speed, turn) {
         (Some(speed), Some(turn)) if speed == (Gaps { what: Missing::Speed, ..turn }) => {
             alloc::vec![Gaps { what: Missing::Held, ..speed }]
@@ -86,8 +124,31 @@ pub fn lacks(rows: &[Row], motion: Motion) -> Option<Missing> {
     }
 }
 
-fn of(rows: &[Row], what: Missing, is: impl Fn(&Event) -> bool) -> Option<Gaps> {
-    gaps_of(rows, LEAST, is).map(|(count, longest)| Gaps { what, count, longest })
+/// From the first row to the last, s.
+fn duration(rows: &[Row]) -> f64 {
+    rows.first().zip(rows.last()).map_or(0.0, |(first, last)| last.time - first.time)
+}
+
+/// When the rows of one kind are, s since the first row of all, and what is too long to be a step between them.
+fn times(rows: &[Row], least: f64, is: impl Fn(&Event) -> bool) -> (Vec<f64>, f64) {
+    let first = rows.first().map_or(0.0, |row| row.time);
+    let times: Vec<f64> = rows.iter().filter(|row| is(&row.event)).map(|row| row.time - first).collect();
+    let steps = times.windows(2).map(|pair| pair[1] - pair[0]);
+    let enough = least.max(STEPS * median(steps));
+    (times, enough)
+}
+
+fn long(rows: &[Row], least: f64, is: impl Fn(&Event) -> bool) -> Vec<[f64; 2]> {
+    let (times, enough) = times(rows, least, is);
+    times.windows(2).map(|pair| [pair[0], pair[1]]).filter(|[from, to]| to - from > enough).collect()
+}
+
+/// From when to when rows of one kind are missing at the end, for more than ten median steps and more than `least`
+/// seconds, s since the first row of all.
+pub fn end_without(rows: &[Row], least: f64, is: impl Fn(&Event) -> bool) -> Option<[f64; 2]> {
+    let (times, enough) = times(rows, least, is);
+    let (last, end) = (*times.last()?, duration(rows));
+    (end - last > enough).then_some([last, end])
 }
 
 /// How many gaps there are between the rows of one kind, each of more than ten median steps and more than `least`
@@ -101,13 +162,8 @@ fn of(rows: &[Row], what: Missing, is: impl Fn(&Event) -> bool) -> Option<Gaps> 
 /// assert_eq!(gaps_of(&rows, 5.0, |event| matches!(event, Event::Position { .. })), Some((1, [1.5, 9.5])));
 /// ```
 pub fn gaps_of(rows: &[Row], least: f64, is: impl Fn(&Event) -> bool) -> Option<(u32, [f64; 2])> {
-    let first = rows.first().map_or(0.0, |row| row.time);
-    let times: Vec<f64> = rows.iter().filter(|row| is(&row.event)).map(|row| row.time - first).collect();
-    let pairs = || times.windows(2).map(|pair| [pair[0], pair[1]]);
-    let length = |[from, to]: [f64; 2]| to - from;
-    let enough = least.max(STEPS * median(pairs().map(length)));
-    let long: Vec<[f64; 2]> = pairs().filter(|pair| length(*pair) > enough).collect();
-    let longest = long.iter().copied().max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
+    let long = long(rows, least, is);
+    let longest = long.iter().copied().max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
     Some((long.len() as u32, longest))
 }
 
@@ -138,6 +194,7 @@ mod tests {
         let step = Event::Odometry { distance: 0.1, turn: 0.0 };
         let rows = [0.0, 0.1, 0.2, 0.3, 1.2, 1.3, 9.0].map(|time| row(time, step));
         let lost = gaps(&rows, Motion::Odometry);
-        assert_eq!(lost, [Gaps { what: Missing::Odometry, count: 1, longest: [1.3, 9.0] }]);
+        let wanted = Gaps { what: Missing::Odometry, count: 1, longest: [1.3, 9.0], between: [0.0, 1.3] };
+        assert_eq!(lost, [wanted]);
     }
 }

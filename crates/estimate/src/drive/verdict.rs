@@ -21,7 +21,7 @@ use crate::drive::evidence::{Against, Evidence, Trial};
 use crate::drive::exchange::pairs;
 use crate::drive::fault::Fault;
 use crate::drive::fit::{SETTLED, most_delay};
-use crate::drive::gaps::{Gaps, gaps};
+use crate::drive::gaps::{Gaps, gaps_and_end};
 use crate::drive::gates::Gates;
 use crate::drive::judgement::{
     Judgement, as_mended, for_the_filter, is_own, may_be_own, own_delay, period, refuted, stairs, turning,
@@ -146,7 +146,7 @@ impl Verdict {
             motion: drive.motion,
             pace: pace(drive, &settings),
             half_turn: half_turn(drive),
-            gaps: gaps(judged, drive.motion),
+            gaps: gaps_and_end(&drive.rows, drive.motion).into_iter().filter(|it| it.longest[0] < duration).collect(),
             other: false,
             noise: Noise::default(),
             suspects: Vec::new(),
