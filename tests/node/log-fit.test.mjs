@@ -10,6 +10,7 @@ import {
   rises,
   sentence as fitted,
   untold,
+  vague,
   whyAsSet,
 } from '../../web/page/log-fit-words.js'
 import { judgement, suspect } from './verdicts.mjs'
@@ -26,12 +27,26 @@ test('a σ that the log does not tell stays, or is no greater than one that is a
   assert.deepEqual(
     untold(all, params).map(({ value, words }) => [value, words]),
     [
-      [0.00553, 'The log tells at most about 0.0055 m/√s as the σ of the distance: it is set so.'],
-      [0.002, 'The log tells at most about 0.004 rad/√s as the σ of the turn: it stays 0.002 rad/√s.'],
+      [
+        0.00553,
+        'The log does not tell the σ of the distance: all up to about 0.0055 m/√s are as likely, and it is ' +
+          'set so.',
+      ],
+      [
+        0.002,
+        'The log does not tell the σ of the turn: all up to about 0.004 rad/√s are as likely, and it ' +
+          'stays 0.002 rad/√s.',
+      ],
       [1, 'The log does not tell the factor on the positions’ own σ: it stays 1.'],
     ],
   )
-  assert.equal(fitted(all[0], MOTION), 'σ of the distance, m/√s: at most about 0.0055; the log tells no more')
+  assert.equal(
+    fitted(all[0], MOTION),
+    'σ of the distance, m/√s: the log does not tell it; all up to about 0.0055 are as likely.',
+  )
+  assert.deepEqual(vague([number('sigmaDistance', 0.43), number('sigmaTurn', 0.05), number('sigmaFix', null)]), [
+    'The σ of the distance is known to ± 43 % only.',
+  ])
 })
 
 test('what a fit has found has as many digits as it is known to', () => {

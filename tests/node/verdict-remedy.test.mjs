@@ -212,8 +212,8 @@ test('where one σ is wrong all are fitted together at one press', () => {
   const usual = /** @type {any} */ (known.map(([name, value]) => ({ name, default: value })))
   const set = { gate: null, sigmaDistance: 0.1, sigmaTurn: 0.05, sigmaFix: 0.4 }
   /** @param {any[]} suspects @param {any} [params] @returns {[any[], string]} */
-  const of = (suspects, params = set) => {
-    const verdict = judgement(suspects)
+  const of = (suspects, params = set, more = {}) => {
+    const verdict = judgement(suspects, more)
     const shown = /** @type {any} */ ({ params, truth: null, log: null, known: usual })
     return [remedies(verdict, shown), unsettledWords(verdict, params, usual)]
   }
@@ -240,6 +240,8 @@ test('where one σ is wrong all are fitted together at one press', () => {
   const [presses, words] = of([sigma('sigmaTurn', 0.05, 0.1, 'sure')])
   assert.equal(presses[0].press, 'Set it so')
   assert.equal(words, ' That σ is the one with which the page begins, whatever the log is.')
+  // So they are where one alone mends nothing.
+  assert.equal(of([fix, turn, distance], set, { other: true })[0][0].press, 'Fit all three σ')
   // Readings that bring their own are none of the page's; another fault is mended first.
   const own = suspect({ fault: 'sigma', name: 'fixSigmaScale', claims: [1, 1, 1], sizes: [size(2, 0.1, 1)] })
   assert.deepEqual(of([own, turn])[0][0].fit, ['fixSigmaScale', 'sigmaTurn'])

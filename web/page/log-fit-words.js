@@ -148,8 +148,8 @@ export function sentence(number, { pace, period, ownDelay, halfTurn = 0 }) {
   const words = NAMES[name] ?? name
   if (flat && isStair(flat, sigma))
     return `${words}: ${fixed(flat[0], 2)} to ${fixed(flat[1], 2)}, all alike: the log has no row of motion in between`
-  if (sigma === null && most) return `${words}: at most about ${Number(most.toPrecision(2))}; the log tells no more`
-  if (sigma === null) return `${words}: the log does not tell it.`
+  const alike = most ? `; all up to about ${Number(most.toPrecision(2))} are as likely` : ''
+  if (sigma === null) return `${words}: the log does not tell it${alike}.`
   const unit = words.endsWith('°') ? 180 / Math.PI : 1
   const told = (relative ? value * sigma : sigma) * unit
   const digits = decimalsOf(told)
@@ -167,6 +167,15 @@ export function sentence(number, { pace, period, ownDelay, halfTurn = 0 }) {
   return `${words}: ${fixed(value * unit, digits)} ± ${fixed(told, digits)}${turns}${own}`
 }
 
+/** A σ that is known less well than this is said so. */
+const VAGUE = 0.3
+
+/** What is said of σ that a log tells roughly. @param {LogFound['numbers']} numbers */
+export const vague = (numbers) =>
+  numbers
+    .filter(({ relative, sigma }) => relative && sigma !== null && sigma > VAGUE)
+    .map(({ name, sigma }) => `The ${(NAMES[name] ?? name).split(', ')[0]} is known to ± ${percent(sigma ?? 0)} only.`)
+
 /**
  * The σ that a log does not tell, and what is made of each: as it is set, but no greater than one that is about as
  * likely as all smaller ones. A filter that is too sure of itself is the worse one.
@@ -180,9 +189,9 @@ export const untold = (numbers, params) =>
       const value = Math.min(now, most ?? Infinity)
       const [words, unit = ''] = (NAMES[name] ?? name).split(', ')
       const much = (/** @type {number} */ number) => `${Number(number.toPrecision(2))} ${unit}`.trim()
-      const told = most === null ? 'The log does not tell' : `The log tells at most about ${much(most)} as`
+      const alike = most === null ? '' : `all up to about ${much(most)} are as likely, and `
       const ends = value < now ? 'it is set so' : `it stays ${much(now)}`
-      return { name, value, words: `${told} the ${words}: ${ends}.` }
+      return { name, value, words: `The log does not tell the ${words}: ${alike}${ends}.` }
     })
 
 /** So many decimals that an uncertainty has two digits. @param {number} sigma */

@@ -4,7 +4,7 @@
  */
 
 import { button, part } from '../draw/dom.js'
-import { rounded, untold } from './log-fit-words.js'
+import { rounded, untold, vague } from './log-fit-words.js'
 import { gated, remedies } from './log-remedy.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
@@ -138,7 +138,7 @@ export class MendBar {
     const patch = await this.orders.settled({ ...found, ...gate })
     if (this.fitting !== remedy) return
     this.fitting = null
-    this.told = [words, ...free.map((one) => one.words)].join(' ').trim()
+    this.told = [words, ...free.map((one) => one.words), ...vague(numbers)].join(' ').trim()
     this.words.textContent = ''
     this.hold()
     this.keep(patch, wanted)

@@ -1,9 +1,12 @@
 /** Several σ that are wrong, or that nobody has said of a log: they are found together. */
 
-import { named } from './named.js'
+import { likeliest, named } from './named.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
 /** @typedef {import('estimate-wasm').Parameter[]} Known */
+
+/** What a verdict names, or what is likeliest where nothing mends by itself. @param {LogJudgement} judgement */
+const told = (judgement) => [...named(judgement), ...likeliest(judgement)]
 
 /**
  * The σ that a fit is to find together, by their names: all of them where the verdict names one, as each was found
@@ -11,7 +14,7 @@ import { named } from './named.js'
  * @param {LogJudgement} judgement
  */
 export function unsettled(judgement) {
-  const all = named(judgement)
+  const all = told(judgement)
   if (all.length === 0 || all.some(({ fault }) => fault !== 'sigma')) return []
   return judgement.suspects.filter(({ fault }) => fault === 'sigma').map(({ name }) => name ?? '')
 }
@@ -36,14 +39,14 @@ export const counted = ({ length }) => (length === 2 ? 'both' : `all ${word(leng
  * @param {LogJudgement} judgement @param {Record<string, any>} params @param {Known} known
  */
 export function unsettledWords(judgement, params, known) {
-  const begins = named(judgement).some((suspect) => suspect.fault === 'sigma' && isUsual(suspect, params, known))
+  const begins = told(judgement).some((suspect) => suspect.fault === 'sigma' && isUsual(suspect, params, known))
   const all = unsettled(judgement)
   const first = begins ? ' That σ is the one with which the page begins, whatever the log is.' : ''
   if (all.length < 2) return first
   const open = judgement.suspects.filter(
     (one) => all.includes(one.name ?? '') && (one.standing !== 'cleared' || isUsual(one, params, known)),
   )
-  const others = open.length - named(judgement).length
+  const others = open.length - told(judgement).length
   const more =
     others <= 0 ? '' : others === 1 ? ' Another σ is as uncertain:' : ` The ${word(others)} others are as uncertain:`
   return more

@@ -115,11 +115,11 @@ function foreign({ suspects, ungated, against }, truth, log) {
   const [first] = suspects
   const most = `Something is wrong that none of the ${suspects.length} faults that were looked for mends by itself.`
   if (!first.mended || !against) return most
+  const likely = `${most} The likeliest is this: ${sentence(first, truth, log)}`
+  if (first.fault === 'sigma' && suspects.some((one) => one !== first && one.fault === 'sigma')) return likely
   const from = `${fixed(first.mended.rmse, 2)} m from the truth, where it is ${fixed(against.rmse, 2)} m from it now`
-  return (
-    `${most} The likeliest is this: ${sentence(first, truth, log)} Mended so, the estimate would be ` +
-    `${from}${ungated ? ' without the gate' : ''} (RMS): another fault may hide behind it.`
-  )
+  const gate = ungated ? ' without the gate' : ''
+  return `${likely} Mended so, the estimate would be ${from}${gate} (RMS): another fault may hide behind it.`
 }
 
 /** A delay that the motion model’s own explains. @param {Suspect} suspect @param {LogJudgement} judgement */
