@@ -1,9 +1,14 @@
 // A log whose motion is not read for a while: the verdict's presses keep the longest stretch without such a gap.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
+import { createRequire } from 'node:module'
 import { areCorrections, isCorrected, plain, sameCorrections } from '../../web/page/log-corrections.js'
+import { readSettings, settingsText } from '../../web/page/log-settings.js'
 import { remedies } from '../../web/page/log-remedy.js'
+import { applyChange } from '../../web/widgets/robot-log/change.js'
 import { judgement, suspect } from './verdicts.mjs'
+
+const { LogFiles, LogVerdict, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
 /** @type {import('estimate-wasm').LogCorrections} */
 const NONE = { driven: [1, 1], landmarks: [], ranges: [], kept: null }
@@ -42,4 +47,40 @@ test('the part that is read is kept among what is corrected', () => {
   assert.ok(!sameCorrections(part, { ...NONE, kept: [0, 119] }))
   assert.ok(areCorrections(plain(part)) && areCorrections(plain(NONE)))
   for (const kept of [[5, 5], [5], ['0', 5], 7]) assert.ok(!areCorrections({ ...plain(NONE), kept }), String(kept))
+})
+
+test('a log whose gyro ends half-way is cut there, and files of settings say so', () => {
+  const files = new LogFiles()
+  const rows = (/** @type {number} */ n, /** @type {(t: number) => unknown[]} */ of) =>
+    Array.from({ length: n }, (_, k) => `${[k / 10, ...of(k / 10)].join()}\n`).join('')
+  files.add('gyro.csv', `time_s,yaw_rate\n${rows(600, (t) => [0.2 * Math.sin(t / 5)])}`)
+  files.add('speed.csv', `time_s,speed\n${rows(1200, () => [1])}`)
+  const along = (/** @type {number} */ t) => [t + 0.1 * Math.sin(97 * t), 5 * Math.sin(t / 9)]
+  files.add('gnss.csv', `time_s,gnss_x,gnss_y\n${rows(1200, along)}`)
+  const judged = () => {
+    const log = files.read()
+    const { opening } = log.contents()
+    const usual = Object.fromEntries(RobotLog.parameters().map((/** @type {any} */ one) => [one.name, one.default]))
+    const verdict = new LogVerdict(log, { ...usual, ...opening })
+    while (verdict.step());
+    return { contents: log.contents(), found: verdict.found() }
+  }
+  const { contents, found } = judged()
+  assert.deepEqual(
+    found.gaps.map(({ what, count }) => [what, count]),
+    [['turn rate', 1]],
+  )
+  const [cut, ...others] = remedies(found, /** @type {any} */ ({ params: {}, truth: null, log: contents }))
+  assert.deepEqual([cut.press, others.length], ['Cut the log: keep 0.0 to 59.9 s', 0])
+  applyChange(files, cut)
+  const part = judged()
+  assert.deepEqual(part.found.gaps, [])
+  assert.deepEqual([contents.rows, part.contents.rows, part.contents.steps], [3000, 1800, 1800])
+  assert.ok(part.contents.notes.includes('The log is read from 0.0 to 59.9 s after its first row.'))
+  assert.equal(part.contents.span[1] - part.contents.span[0], 59.9)
+  const { corrections } = readSettings(settingsText({}, files.files(), part.contents), RobotLog.parameters())
+  assert.ok(sameCorrections(corrections, part.contents.corrections) && isCorrected({ corrections }))
+  applyChange(files, { corrections: NONE })
+  assert.deepEqual(judged().contents, contents)
+  assert.throws(() => files.correct([1, 1], [], [], [5, 5]), /kept: ends before it begins/)
 })
