@@ -5,6 +5,7 @@ import { createRequire } from 'node:module'
 import { areCorrections, isCorrected, plain, sameCorrections } from '../../web/page/log-corrections.js'
 import { readSettings, settingsText } from '../../web/page/log-settings.js'
 import { remedies } from '../../web/page/log-remedy.js'
+import { ranked } from '../../web/widgets/robot-log/verdict.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 import { judgement, suspect } from './verdicts.mjs'
 
@@ -20,8 +21,11 @@ const presses = (gaps, /** @type {any} */ { kept = null, standing = 'sure' } = {
   return found.map(({ press, corrections }) => [press, corrections?.kept])
 }
 
-test('where much of the motion is not read, the one press is to cut the log', () => {
+test('where much of the motion is not read, the one press is to cut the log, and no fault is told', () => {
   const early = gap([120, 240], [0, 120])
+  const said = ranked(judgement([suspect({})], { gaps: [early] }), { rows: 100, truth: false })
+  assert.match(said, /^No turn rate from 120\.0 to 240\.0 s .* first\. The readings do not fit what is held, and what/)
+  assert.doesNotMatch(said, /positions/)
   assert.deepEqual(presses([early]), [['Cut the log: keep 0.0 to 120.0 s', [0, 120]]])
   // A part of a part, in seconds since the first row of the files.
   assert.deepEqual(presses([early], { kept: [30, 270] }), [['Cut the log: keep 0.0 to 120.0 s', [30, 150]]])

@@ -2,6 +2,7 @@
 
 import { decimal, fixed } from '../draw/numbers.js'
 import { factors } from '../widgets/robot-log/driven.js'
+import { cutsFirst, longest } from '../widgets/robot-log/gaps.js'
 import { rounded } from '../widgets/robot-log/sized.js'
 import { wrapped } from '../widgets/robot-log/start.js'
 import { counted, unsettled } from '../widgets/robot-log/unsettled.js'
@@ -75,9 +76,6 @@ function corrected({ fault, landmarks: ids, sizes }, log) {
   return { press, corrections: { ...log.corrections, landmarks: [...others, ...places] } }
 }
 
-/** Beside a gap of more than this share of the longest stretch without one, no other fault is told. */
-const MUCH = 0.05
-
 /**
  * The longest stretch of a log between gaps in its motion, which is read alone.
  * @param {LogJudgement} judgement @param {Frame['log']} log
@@ -85,14 +83,13 @@ const MUCH = 0.05
  */
 function cut({ gaps, suspects: [first] }, log) {
   if (!log?.corrections || gaps.length === 0 || first.standing === 'cleared') return null
-  const length = (/** @type {[number, number]} */ [from, to]) => to - from
-  const { longest, between } = gaps.reduce((one, other) => (length(other.longest) > length(one.longest) ? other : one))
+  const { between } = longest(gaps)
   const [before] = log.corrections.kept ?? [0]
   const [from, to] = between.map((time) => fixed(time, 1))
   return {
     press: `Cut the log: keep ${from} to ${to} s`,
     corrections: { ...log.corrections, kept: [before + between[0], before + between[1]] },
-    only: length(longest) > MUCH * length(between),
+    only: cutsFirst(gaps),
   }
 }
 

@@ -2,6 +2,7 @@
 
 import { fixed } from '../../draw/numbers.js'
 import { DILUTED, mirroredSentence, odometrySentence } from './driven.js'
+import { HIDDEN, bridged, cutsFirst } from './gaps.js'
 import { NEAR, named } from './named.js'
 import { READINGS, noisy } from './noise.js'
 import { off as offset, scaleSentence } from './scales.js'
@@ -44,6 +45,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
   const [first] = suspects
   const own = suspects.filter(({ own, standing }) => own && standing === 'cleared')
   const sound = first.standing === 'cleared'
+  if (!sound && cutsFirst(judgement.gaps)) return [...judgement.gaps.map(bridged), HIDDEN].join(' ')
   const parts = [
     ...(sound ? [] : judgement.gaps.map(bridged)),
     ungated ? 'The gate refuses more than one reading in ten, which hides a fault: it is off for this verdict.' : '',
@@ -94,18 +96,6 @@ function sentences(judgement, truth, log) {
 /** The ± of a size is of one fault alone. @param {Suspect} suspect */
 const bent = ({ sizes }) =>
   sizes.some(({ sigma, end }) => sigma !== null && !end) ? ', and may bend this size by more than its ±' : ''
-
-/** What is held over a gap looks like any fault of the motion. @param {LogJudgement['gaps'][number]} gap */
-function bridged({ what, count, longest }) {
-  const [from, to] = longest.map((time) => fixed(time, 1))
-  const rows = what === 'held' || what === 'odometry' ? 'rows of motion' : what
-  const held = what === 'odometry' ? 'the row after it is taken for all since' : 'what was read last is held meanwhile'
-  const more = count > 1 ? ` (the longest of ${count} such gaps)` : ''
-  return (
-    `No ${rows} from ${from} to ${to} s after the first row${more}: ${held}, ` +
-    'which looks like a fault of the motion. Cut the log there first.'
-  )
-}
 
 /**
  * What is wrong is none of the suspects by itself.
