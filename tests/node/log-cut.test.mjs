@@ -3,6 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { areCorrections, isCorrected, plain, sameCorrections } from '../../web/page/log-corrections.js'
+import { mendBefore } from '../../web/page/log-fit-words.js'
 import { readSettings, settingsText } from '../../web/page/log-settings.js'
 import { remedies } from '../../web/page/log-remedy.js'
 import { ranked } from '../../web/widgets/robot-log/verdict.js'
@@ -26,6 +27,7 @@ test('where much of the motion is not read, the one press is to cut the log, and
   const said = ranked(judgement([suspect({})], { gaps: [early] }), { rows: 100, truth: false })
   assert.match(said, /^No turn rate from 120\.0 to 240\.0 s .* first\. The readings do not fit what is held, and what/)
   assert.doesNotMatch(said, /positions/)
+  assert.match(mendBefore(judgement([suspect({})], { gaps: [early] })), /cut the log there before/)
   assert.deepEqual(presses([early]), [['Cut the log: keep 0.0 to 120.0 s', [0, 120]]])
   // A part of a part, in seconds since the first row of the files.
   assert.deepEqual(presses([early], { kept: [30, 270] }), [['Cut the log: keep 0.0 to 120.0 s', [30, 150]]])

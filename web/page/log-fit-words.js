@@ -2,6 +2,7 @@
 
 import { fixed } from '../draw/numbers.js'
 import { isStair, ownStep } from '../widgets/robot-log/sized.js'
+import { cutsFirst } from '../widgets/robot-log/gaps.js'
 import { hides } from '../widgets/robot-log/sigmas.js'
 import { likeliest, named } from '../widgets/robot-log/named.js'
 import { kind } from '../widgets/robot-log/verdict.js'
@@ -40,6 +41,8 @@ export const rounded = (numbers) =>
  */
 export function mendBefore(judgement) {
   const [fault] = judgement ? [...named(judgement), ...likeliest(judgement)] : []
+  if (fault && cutsFirst(judgement?.gaps ?? []))
+    return 'No motion is read for a while, as the verdict says: cut the log there before, or σ and delays mean nothing.'
   if (!fault || NAMES[fault.name ?? '']) return ''
   return (
     `The verdict names ${kind(fault)}, which Fit does not look for: mend that before, or it makes ` +
