@@ -66,12 +66,15 @@ export function rises({ logLikelihood: [before, after], readings, outliers, sett
 /** A fit that leaves more than this share of the readings out has none to go by. */
 const MOST_OUT = 0.5
 
+/** Whether they are. @param {Pick<LogFound, 'readings' | 'outliers'>} found */
+export const mostAreOut = ({ readings, outliers }) => (outliers ?? 0) > MOST_OUT * readings
+
 /**
  * What has bent a fit: outliers of sensors without a gate, or a gate that refuses most.
  * @param {Pick<LogFound, 'beyond' | 'expected' | 'readings' | 'outliers'>} found
  */
 export function bentBy({ beyond, expected, readings, outliers }) {
-  if ((outliers ?? 0) > MOST_OUT * readings)
+  if (mostAreOut({ readings, outliers }))
     return 'Most readings count as outliers, so something else is wrong, and nothing of it can be taken.'
   const used = readings - (outliers ?? 0)
   if (!(beyond > 5 * expected * used && beyond > expected * used + 5)) return ''

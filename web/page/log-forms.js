@@ -2,7 +2,6 @@
 
 import { FitForm } from './log-fit.js'
 import { SENSORS, openingOf, settingWords } from './log-numbers.js'
-import { GATE } from './log-remedy.js'
 import { SensorForm } from './log-sensors.js'
 import { StartForm } from './log-start.js'
 
@@ -62,13 +61,13 @@ export class Forms {
       return running.fit()
     }
     /**
-     * Finds several σ together, whatever outliers there are.
-     * @param {string[]} only @param {(told: { done: number, of: number }) => void} told
+     * Finds several σ together, whatever outliers there are behind a gate.
+     * @param {string[]} only @param {number | null} gate @param {(told: { done: number, of: number }) => void} told
      */
-    this.fitTogether = (only, told) => {
+    this.fitTogether = (only, gate, told) => {
       const { run: running } = host.figure
       running.onfitting = told
-      return running.fit({ only, from: { gate: GATE } })
+      return running.fit({ only, from: { gate } })
     }
     this.stopFit = () => host.figure?.run?.stop('fit')
     /** Told what Fit is about to set, and what is set now. @type {import('./log-mend.js').MendBar['keep'] | null} */

@@ -4,8 +4,8 @@
  */
 
 import { button, part } from '../draw/dom.js'
-import { rounded, untold, vague } from './log-fit-words.js'
-import { gated, remedies } from './log-remedy.js'
+import { bentBy, mostAreOut, rounded, untold, vague } from './log-fit-words.js'
+import { GATE, gated, remedies } from './log-remedy.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
@@ -17,7 +17,8 @@ import { gated, remedies } from './log-remedy.js'
  * @property {(patch: Patch) => void} change
  * @property {() => boolean} may whether the page has the files of the log
  * @property {(corrections: Corrections) => Promise<void>} reread how these are read otherwise
- * @property {(names: string[], progress: (told: { done: number, of: number }) => void) => Promise<any>} fit
+ * @property {(names: string[], gate: number | null, progress: (told: { done: number, of: number }) => void)
+ *   => Promise<any>} fit
  * @property {(patch: Patch) => Promise<Patch>} settled what is set with σ that were found
  * @property {() => void} stop the fit
  */
@@ -122,7 +123,8 @@ export class MendBar {
     this.wait()
     this.words.textContent = 'Fitting …'
     this.bar.removeAttribute('value')
-    const answer = await this.orders.fit(names, ({ done, of }) => {
+    const gates = remedy.ungated ? null : GATE
+    const answer = await this.orders.fit(names, gates, ({ done, of }) => {
       this.bar.max = of
       this.bar.value = done
     })
@@ -131,8 +133,12 @@ export class MendBar {
       this.fitting = null
       return this.free(answer.message ?? answer.why ?? GIVEN_UP)
     }
-    const { gate, words } = gated(answer.found, wanted)
     const { numbers } = answer.found
+    if (mostAreOut(answer.found)) {
+      this.fitting = null
+      return this.free(bentBy(answer.found))
+    }
+    const { gate, words } = remedy.ungated ? { gate: { gate: null }, words: '' } : gated(answer.found, wanted)
     const free = untold(numbers, wanted)
     const found = { ...rounded(numbers), ...rounded(free) }
     const patch = await this.orders.settled({ ...found, ...gate })

@@ -13,9 +13,9 @@ import { bySensor } from './log-numbers.js'
 /** @typedef {import('estimate-wasm').LogSuspect} Suspect */
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
 /**
- * Settings, what is read otherwise, or the names of what is fitted.
+ * Settings, what is read otherwise, or the names of what is fitted, and whether without the gates.
  * @typedef {{ press: string, patch?: Record<string, unknown>, corrections?: import('estimate-wasm').LogCorrections,
- *   fit?: string[] }} Remedy
+ *   fit?: string[], ungated?: boolean }} Remedy
  */
 
 /** What refuses outliers and next to nothing else. */
@@ -149,7 +149,9 @@ function mending(judgement, { params, truth, log }) {
   // What may be no fault has no press.
   const suspects = judgement ? [...named(judgement, log), ...likeliest(judgement)].filter(({ own }) => !own) : []
   const together = judgement ? unsettled(judgement) : []
-  if (together.length > 1) return [{ press: `Fit ${counted(together)} σ`, fit: together }]
+  // What is said without the gate is mended without it.
+  const off = judgement?.ungated ? { ungated: true } : {}
+  if (together.length > 1) return [{ press: `Fit ${counted(together)} σ`, fit: together, ...off }]
   const all = suspects.map((suspect) => remedy(suspect, params, Boolean(truth), log))
   const either = ['Either', 'Or']
   return all.flatMap((one, i) => {

@@ -7,6 +7,7 @@ use crate::corrections::Corrections;
 use crate::error::Error;
 use crate::file::File;
 use crate::frames::Frame;
+use crate::heights;
 use crate::log::{MAX_BYTES, Understood};
 use crate::other_clock::{Times, spanned};
 use crate::parse;
@@ -203,6 +204,7 @@ impl Files {
         let corrected = self.corrections.onto(&mut read.log.drive, &read.landmarks);
         read.notes.extend(corrected);
         read.corrections = self.corrections.clone();
+        read.notes.extend(heights::note(&self.files, &read.log.drive));
         read.notes.extend(beside::note(&self.files));
         read.notes.extend(turning::note(&self.files));
         read.notes.extend(beside::origins(&self.files));

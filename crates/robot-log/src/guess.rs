@@ -5,10 +5,11 @@ use crate::axes::axes;
 use crate::binary;
 use crate::columns::{clockwise, columns, third_axis};
 use crate::cut::cut;
+use crate::fields::Line;
 use crate::names::{Name, candidates, is_acceleration, is_spread};
 use crate::role::{Quantity, Role};
 use crate::source::{Known, Question, Source};
-use crate::table::Table;
+use crate::table::{LOOKED_AT, Table};
 use crate::true_names::{has_coordinates, has_truth};
 use crate::vocabulary::BESIDE;
 use crate::wheels::Wheels;
@@ -150,6 +151,7 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if wide::group(names).is_some() => certain(Role::Ranges),
         () if encoders => certain(Role::Encoders),
         () if read => certain(Role::Sensors),
+        () if v && omega && !place && has_blanks(text, table, names) => certain(Role::Sensors),
         () if v && omega && !place => certain(Role::Velocities),
         () if v && omega && is_own_pose(names) => certain(Role::Velocities),
         () if odometry && !place => certain(Role::Odometry),
@@ -164,6 +166,23 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if v || omega || heading => certain(Role::Sensors),
         () => certain(said.first().copied().filter(|role| *role == Role::Ranges).unwrap_or(Role::Unused)),
     }
+}
+
+/// In so many rows at least, and in one of so many: not in one here or there.
+const LEAST: usize = 3;
+const OFTEN: usize = 10;
+
+/// Whether rows have a speed or a turn rate and not the other, as those of a bus with a rate for each.
+fn has_blanks(text: &str, table: &Table, names: &[Name]) -> bool {
+    let first = |value, quantity| candidates(value, quantity, names).first().copied();
+    let [v, omega] = [first("v", Quantity::Speed), first("omega", Quantity::AngleRate)];
+    let Some((v, omega)) = v.zip(omega) else { return false };
+    let blank = |line: &Line<'_>, at: usize| line.fields[at].text.trim().is_empty();
+    let half = |line: &Line<'_>| blank(line, v) != blank(line, omega);
+    let rows: Vec<bool> = table.lines(text).filter_map(Result::ok).take(LOOKED_AT).map(|line| half(&line)).collect();
+    // A number that is missing once is a fault of its row.
+    let halves = rows.iter().filter(|half| **half).count();
+    halves >= LEAST && OFTEN * halves > rows.len()
 }
 
 /// Whether there are the counts or speeds of two wheels.

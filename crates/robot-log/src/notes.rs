@@ -178,10 +178,14 @@ pub(crate) fn frame(file: &str, source: &Source) -> Option<String> {
 pub(crate) fn unused(file: &str, names: &[Name]) -> String {
     let scan = names.iter().any(|name| name.has("angle") && name.has("increment"));
     let none = |value, quantity| candidates(value, quantity, names).is_empty();
-    let untimed = none("time", Quantity::Time) && !none("latitude", Quantity::Coordinate);
+    let read = [("latitude", Quantity::Coordinate), ("v", Quantity::Speed), ("omega", Quantity::AngleRate)];
+    let untimed = none("time", Quantity::Time) && read.into_iter().any(|(value, quantity)| !none(value, quantity));
     let why = match (scan, untimed) {
         (true, _) => ": a laser scan does not say which landmark it saw",
-        (_, true) => ": its places have no times",
+        (_, true) => {
+            ": none of its columns is known for the time of its rows. If one is, say what the file is read as, and \
+             choose that column"
+        }
         _ => "",
     };
     format!("{file} is not used{why}")

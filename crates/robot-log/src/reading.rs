@@ -288,6 +288,7 @@ impl LogReader {
         }
         notes.extend(kept.map(|kept| log.cut(kept)));
         let file = |row: &Row| Some(self.files.iter().find(|(_, end)| (row.line as usize) < *end)?.0.as_str());
+        notes.extend(crate::no_value::left_out(&mut log.drive));
         notes.extend(notes::times(&log.drive, file));
         notes.extend(frames::apart(&log.drive));
         notes.extend(notes::lacking(&log.drive));

@@ -45,7 +45,7 @@ const WAYS: [(&str, &str); 21] = [
         "time",
         "header stamp sec,header stamp secs,header stamp,=stamp sec,=stamp secs,=time,=times,=timestamp,=t,=ts,=stamp,\
          =zeit,=temps,=tiempo,=tempo,=zeitstempel,=sec,=secs,=seconds,=utc,=clock,=datetime,=date time,timestamp,\
-         =i tow,=itow,=micros,time stamp,stamp,time,\
+         =i tow,=itow,=micros,=millis,=unix,=epoch,=posix,=unixtime,=logtime,=systime,time stamp,stamp,time,\
          seconds elapsed,elapsed,zeit,zeitstempel,uhrzeit,temps,horodatage,heure,tiempo,hora,tempo,ora,sec,secs,\
          seconds,clock,t",
     ),

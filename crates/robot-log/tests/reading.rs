@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 #[path = "../../../tests/src/draws.rs"]
 mod draws;
-use robot_log::parse;
+use robot_log::{Files, parse};
 
 const SOUND: &str = "\
 # a drive past one landmark
@@ -165,4 +165,18 @@ proptest! {
         let error = parse(&lines.join("\n")).expect_err("swapped");
         prop_assert_eq!(error.line as usize, lines.len());
     }
+}
+
+#[test]
+fn heights_of_landmarks_are_said_beside_ranges() {
+    let notes = |z: &str, ranges: &str| {
+        let mut files = Files::default();
+        files.add("odometry.csv", "time_s,distance_m,turn_rad\n0,0,0\n1,0.5,0.1\n2,0.5,0\n").expect("motion");
+        files.add("anchors.csv", &format!("anchor,x,y,z\n1,1,2,{z}\n2,4,5,{z}\n")).expect("places");
+        files.add("uwb.csv", &format!("time_s,anchor,range\n{ranges}")).expect("ranges");
+        let notes = files.read().expect("sound").notes;
+        notes.into_iter().any(|note| note.starts_with("anchors.csv: z is not read, and ranges are taken as level"))
+    };
+    let ranges = "1,1,2.5\n2,2,6.5\n";
+    assert_eq!([notes("7", ranges), notes("0.0", ranges)], [true, false]);
 }
