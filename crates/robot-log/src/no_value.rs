@@ -1,5 +1,5 @@
-//! Speeds and turn rates that are none: a bus writes the greatest number of a signal, as 655.35 km/h, where a sensor has
-//! no value.
+//! Speeds and turn rates that are none: a bus writes the greatest number of a signal, as 655.35 km/h, where a sensor
+//! has no value.
 
 use estimate::drive::{Drive, Event};
 
