@@ -242,6 +242,7 @@ test('where one σ is wrong all are fitted together at one press', () => {
   assert.equal(words, ' That σ is the one with which the page begins, whatever the log is.')
   // So they are where one alone mends nothing.
   assert.equal(of([fix, turn, distance], set, { other: true })[0][0].press, 'Fit all three σ')
+  assert.ok(of([fix, turn, distance], set, { ungated: true })[0][0].ungated, 'judged and fitted without the gate')
   // Readings that bring their own are none of the page's; another fault is mended first.
   const own = suspect({ fault: 'sigma', name: 'fixSigmaScale', claims: [1, 1, 1], sizes: [size(2, 0.1, 1)] })
   assert.deepEqual(of([own, turn])[0][0].fit, ['fixSigmaScale', 'sigmaTurn'])
