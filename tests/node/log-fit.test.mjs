@@ -141,6 +141,9 @@ test('what a verdict does not find wrong is not taken, and a delay that may be w
   assert.deepEqual(stays(sigma, { standing: 'cleared' }, cleared), [true, true, true])
   assert.match(of(sigma, cleared)('offset'), /does not find it wrong, so it stays/)
   assert.deepEqual(stays(sigma, { standing: 'maybe' }), [false, false, true])
+  // One that may be the model's own leaves none to be taken, and one that is no such leaves all.
+  assert.match(of({ standing: 'maybe', own: true })('delaySpeed'), /calls it no fault, as it may be the motion model’s/)
+  assert.deepEqual(stays({ standing: 'maybe', own: true }, { name: 'delaySpeed' }), [false, false, true])
   assert.deepEqual(stays({ fault: 'scale', name: 'scale', with: 'offset' }), [true, true, false])
   assert.equal(stayingBy(null)('delayFix'), '', 'before there is a verdict')
   const elsewhere = { fault: 'displaced', name: null, landmarks: [2] }

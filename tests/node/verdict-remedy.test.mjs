@@ -243,6 +243,10 @@ test('where one σ is wrong all are fitted together at one press', () => {
   // So they are where one alone mends nothing.
   assert.equal(of([fix, turn, distance], set, { other: true })[0][0].press, 'Fit all three σ')
   assert.ok(of([fix, turn, distance], set, { ungated: true })[0][0].ungated, 'judged and fitted without the gate')
+  const quiet = [fix, turn, distance].map((one) => ({ ...one, standing: 'cleared' }))
+  const [gated, open] = [0.999, null].map((gate) => of(quiet, { ...set, gate })[1])
+  assert.match(gated, /^ The σ of the motion are those with which the page begins, and behind a gate they may be wrong/)
+  assert.deepEqual([open, of(quiet, { ...set, gate: { fix: 0.99, range: null }, sigmaTurn: 0.04 })[1]], ['', ''])
   // Readings that bring their own are none of the page's; another fault is mended first.
   const own = suspect({ fault: 'sigma', name: 'fixSigmaScale', claims: [1, 1, 1], sizes: [size(2, 0.1, 1)] })
   assert.deepEqual(of([own, turn])[0][0].fit, ['fixSigmaScale', 'sigmaTurn'])

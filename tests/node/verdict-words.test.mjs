@@ -214,7 +214,7 @@ test('what is the motion model’s own is said, and is no fault', () => {
   const short = suspect({ standing: 'maybe', own: true, sizes: [{ now: 0, value: -0.4, sigma: 0.1 }] })
   assert.match(
     ranked(judgement([short], { period: 0.5, ownDelay: 0.5 }), log),
-    / All of it, less than a step between rows of motion, 0\.5 s, may be the motion model’s own, and chance /,
+    / All of it, less than a step between rows of motion, 0\.5 s, may be the motion model’s own: it may be no fault\.$/,
   )
   assert.match(
     said,

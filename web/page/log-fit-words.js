@@ -125,12 +125,18 @@ export function stayingBy(judgement) {
   if (judgement.other || mendBefore(judgement)) return () => FIRST
   const open = judgement.suspects.filter(({ standing }) => standing !== 'cleared')
   const names = open.flatMap(({ name, with: other }) => [name, other])
-  const late = open.some(({ fault }) => fault === 'clock')
-  return (name) => (names.includes(name) || (late && name.startsWith('delay')) ? '' : CLEARED)
+  const late = open.filter(({ fault }) => fault === 'clock')
+  // What is no fault of the log is none to be taken off.
+  const model = late.length > 0 && late.every(({ own }) => own) ? MODEL : ''
+  return (name) => {
+    if (name.startsWith('delay') && late.length > 0) return model
+    return names.includes(name) ? '' : CLEARED
+  }
 }
 
 const AS_SET = ': what is set lies within twice that, and stays'
 const FIRST = ': what the verdict names may look like it and is to be mended first, so it stays'
+const MODEL = ': the verdict on what is set calls it no fault, as it may be the motion model’s own, so it stays'
 const CLEARED = ': the verdict on what is set does not find it wrong, so it stays; the likelihood may have several tops'
 export const BENT = ': bent by outliers, and not taken'
 

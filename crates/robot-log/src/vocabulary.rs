@@ -65,7 +65,7 @@ const WAYS: [(&str, &str); 21] = [
     (
         "v",
         "linear x,=v,=vx,=speed,=spd,=sog,speed,forward,=geschwindigkeit,linear,velocity,vel,spd,v x,vx,^v,\
-         geschwindigkeit,geschw,fahrgeschwindigkeit,vitesse,velocidad,velocita,=stw",
+         geschwindigkeit,geschw,fahrgeschwindigkeit,vitesse,velocidad,velocita,=stw,surge",
     ),
     (
         "distance",

@@ -26,6 +26,9 @@ export function unsettled(judgement) {
 export const isUsual = ({ name, claims }, params, known) =>
   !claims && known.some((one) => one.name === name && one.default === params[one.name])
 
+/** Whether any sensor has a gate. @param {Record<string, any>} params */
+const isGated = ({ gate }) => (gate && typeof gate === 'object' ? Object.values(gate).some(Boolean) : Boolean(gate))
+
 const WORDS = ['no', 'one', 'two', 'three', 'four', 'five', 'six', 'seven']
 
 /** @param {number} count */
@@ -34,11 +37,18 @@ const word = (count) => WORDS[count] ?? String(count)
 /** As a reader counts them. @param {unknown[]} all */
 export const counted = ({ length }) => (length === 2 ? 'both' : `all ${word(length)}`)
 
+const MOTION = ['sigmaDistance', 'sigmaTurn']
+const BEHIND =
+  ' The σ of the motion are those with which the page begins, and behind a gate they may be wrong unseen: Fit tells.'
+
 /**
- * What is said of a σ that the verdict names.
+ * What is said of a σ that the verdict names; where it names no fault behind a gate, of the σ of the motion.
  * @param {LogJudgement} judgement @param {Record<string, any>} params @param {Known} known
  */
 export function unsettledWords(judgement, params, known) {
+  const usual = judgement.suspects.filter((one) => MOTION.includes(one.name ?? '') && isUsual(one, params, known))
+  const sound = judgement.suspects.every(({ standing }) => standing === 'cleared')
+  if (sound && usual.length === MOTION.length && isGated(params)) return BEHIND
   const begins = told(judgement).some((suspect) => suspect.fault === 'sigma' && isUsual(suspect, params, known))
   const all = unsettled(judgement)
   const first = begins ? ' That σ is the one with which the page begins, whatever the log is.' : ''

@@ -78,6 +78,10 @@ function sentences(judgement, truth, log) {
   const [, ...others] = suspects
   const [first, rival] = named(judgement, log)
   const told = (/** @type {Suspect} */ suspect) => {
+    const [size] = suspect.sizes
+    // What may be no fault is not to be set.
+    if (suspect.own && suspect.fault === 'clock')
+      return `${late(suspect, size.value - size.now)}. ${inPart(suspect, judgement)}`
     const more = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : inPart(suspect, judgement)
     return `${sentence(suspect, truth, log)}${more && ` ${more}`}`
   }
@@ -90,7 +94,7 @@ function sentences(judgement, truth, log) {
   if (first.standing === 'sure') return `${told(first)} ${gain}${next}`
   if (rival) return `Either: ${told(first)} Or: ${told(rival)} The readings do not tell which.`
   if (first.excess < NEAR) return `Perhaps: ${told(first)} Chance explains it nearly as well.`
-  return `Perhaps: ${told(first)} ${gain}`
+  return `Perhaps: ${told(first)}${first.own && first.fault === 'clock' ? '' : ` ${gain}`}`
 }
 
 /** The ± of a size is of one fault alone. @param {Suspect} suspect */
@@ -140,8 +144,9 @@ function inPart({ fault, own, name, sizes: [size] }, { period, ownDelay, halfTur
     return size.sigma !== null && size.sigma < period / 2
       ? `It may be ${step}, longer or shorter: that is the motion model’s own.`
       : ''
-  const much = Math.abs(size.value - size.now) > ownDelay ? `Of it ${step},` : `All of it, less than ${step},`
-  const part = `${much} may be the motion model’s own`
+  const all = Math.abs(size.value - size.now) <= ownDelay
+  const part = `${all ? `All of it, less than ${step},` : `Of it ${step},`} may be the motion model’s own`
+  if (own && all) return `${part}: it may be no fault.`
   return own ? `${part}, and chance explains what is left nearly as well: it may be no fault.` : `${part}.`
 }
 

@@ -167,11 +167,12 @@ fn beyond_own(drive: &Drive, suspect: &Suspect, round: &Round, scope: &Scope, ow
     Some(suspect.gain - by_own)
 }
 
-/// Says of short delays that they may be the motion model's own, where they make the readings no likelier than the
-/// longest of those (`own`) and chance do.
+/// Says of short delays that they may be the motion model's own: those that are no longer than such a one may be
+/// (`own`), and those that make the readings no likelier than that one and chance do.
 pub(crate) fn may_be_own(drive: &Drive, suspects: &mut [Suspect], round: &Round, scope: &Scope, own: f64) {
     for suspect in suspects.iter_mut().filter(|it| it.standing != Standing::Cleared) {
-        if beyond_own(drive, suspect, round, scope, own).is_some_and(|gain| gain <= scope.chance[1]) {
+        let all = delayed(suspect).is_some_and(|(_, off)| off.abs() <= own);
+        if all || beyond_own(drive, suspect, round, scope, own).is_some_and(|gain| gain <= scope.chance[1]) {
             (suspect.own, suspect.standing) = (true, Standing::Maybe);
         }
     }
