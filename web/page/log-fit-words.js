@@ -66,7 +66,7 @@ export function rises({ logLikelihood: [before, after], readings, outliers, sett
 /** A fit that leaves more than this share of the readings out has none to go by. */
 const MOST_OUT = 0.5
 
-/** Whether they are. @param {Pick<LogFound, 'readings' | 'outliers'>} found */
+/** Whether most readings count as outliers. @param {Pick<LogFound, 'readings' | 'outliers'>} found */
 export const mostAreOut = ({ readings, outliers }) => (outliers ?? 0) > MOST_OUT * readings
 
 /**

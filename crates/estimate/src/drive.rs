@@ -63,7 +63,7 @@ pub use fault::Fault;
 pub use fit::Fit;
 pub use fit_result::FitResult;
 pub use fitted::Fitted;
-pub use gaps::{Gaps, Missing, end_without, gaps, gaps_and_end, gaps_of, lacks};
+pub use gaps::{Gaps, Missing, SHORTEST_GAP, end_without, gaps, gaps_and_end, gaps_of, lacks};
 pub use judgement::Judgement;
 pub use learned::FIRST_SIGMA_BIAS;
 pub use likelihood::{beyond, log_likelihood};

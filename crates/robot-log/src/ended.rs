@@ -2,19 +2,18 @@
 //! sensor's readings end before the log does.
 
 use crate::sensed::{MISSED, READ};
-use estimate::drive::{Drive, Event, Motion, Row, end_without};
-
-/// It has ended where more than so much time is missing, s: as long as a gap has to be.
-const LEAST: f64 = 1.0;
+use estimate::drive::{Drive, Event, Motion, Row, SHORTEST_GAP, end_without};
 
 /// What is said of it: what ends, and what is done from there on.
 pub(crate) fn ended(drive: &Drive) -> Vec<String> {
     let rows = &drive.rows;
-    let (speed, turn) = (end_without(rows, LEAST, Event::has_speed), end_without(rows, LEAST, Event::has_turn_rate));
+    let (speed, turn) =
+        (end_without(rows, SHORTEST_GAP, Event::has_speed), end_without(rows, SHORTEST_GAP, Event::has_turn_rate));
     let found = match drive.motion {
-        Motion::Odometry | Motion::EvenOdometry => {
-            [end_without(rows, LEAST, Event::is_motion).map(|of| ("motion", of, "the robot is taken to stand")), None]
-        }
+        Motion::Odometry | Motion::EvenOdometry => [
+            end_without(rows, SHORTEST_GAP, Event::is_motion).map(|of| ("motion", of, "the robot is taken to stand")),
+            None,
+        ],
         Motion::Velocity if speed == turn => {
             [speed.map(|of| ("motion", of, "the last speed and turn rate are held")), None]
         }

@@ -3,9 +3,10 @@
 use crate::drive::row::{Event, Motion, Row};
 use alloc::vec::Vec;
 
-/// A gap is so much longer than the usual step, and longer than this, s.
+/// A gap is so many times as long as the usual step.
 const STEPS: f64 = 10.0;
-const LEAST: f64 = 1.0;
+/// No gap is shorter than this, s.
+pub const SHORTEST_GAP: f64 = 1.0;
 
 /// What is not read in a gap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,7 +74,7 @@ impl Gaps {
 /// assert_eq!((found.len(), found[0].what, found[0].count, found[0].longest), (1, Missing::Held, 1, [1.9, 4.0]));
 /// ```
 pub fn gaps(rows: &[Row], motion: Motion) -> Vec<Gaps> {
-    by_kind(rows, motion, |is| long(rows, LEAST, is))
+    by_kind(rows, motion, |is| long(rows, SHORTEST_GAP, is))
 }
 
 /// As [`gaps`], and the stretch from the last row of motion to the last of all, where it is long as well.
@@ -87,8 +88,8 @@ pub fn gaps(rows: &[Row], motion: Motion) -> Vec<Gaps> {
 /// assert_eq!((end.longest, end.between), ([49.0, 99.0], [0.0, 49.0]));
 /// ```
 pub fn gaps_and_end(rows: &[Row], motion: Motion) -> Vec<Gaps> {
-    let least = LEAST.max(END * duration(rows));
-    by_kind(rows, motion, |is| long(rows, LEAST, is).into_iter().chain(end_without(rows, least, is)).collect())
+    let least = SHORTEST_GAP.max(END * duration(rows));
+    by_kind(rows, motion, |is| long(rows, SHORTEST_GAP, is).into_iter().chain(end_without(rows, least, is)).collect())
 }
 
 fn by_kind(rows: &[Row], motion: Motion, long: impl Fn(fn(&Event) -> bool) -> Vec<[f64; 2]>) -> Vec<Gaps> {
