@@ -36,6 +36,13 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
     assert.equal((await drawn(matrices)).opacity, '0.45')
     assert.equal((await drawn(it.locator('.live > svg').first())).opacity, '0.45')
     assert.equal((await drawn(readouts.locator('> *').first())).opacity, '0.45')
+    // What is not understood stays, with its fault, when something else is changed meanwhile.
+    await it.getByRole('checkbox', { name: 'Continuous time' }).press('Space')
+    await it.locator('.own-time input[checked]').waitFor()
+    assert.deepEqual(
+      [await area.inputValue(), await pasteFault.textContent()],
+      ['A = [0 1; -4 -0.4]\nC = [1 0]\nQ = eye(2)', 'R, the noise of a reading, is missing.'],
+    )
     await area.fill('A = [0 1; -4 -0.4]\nC = [1 0]\nQ = eye(2)\nR = 1')
     await pasteFault.filter({ hasText: /^$/ }).waitFor({ state: 'attached' })
     assert.deepEqual(

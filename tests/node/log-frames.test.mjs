@@ -181,7 +181,7 @@ test('a file whose times do not meet the motion’s is asked, has words for its 
   const { clock } = gps(files)
   assert.deepEqual(clocksOf(clock), [
     [-3600, 'of another zone: 1 hour is taken off'],
-    [-3605, 'its own: it begins when the motion does'],
+    [-3605, 'its own: taken to begin with the motion, perhaps seconds off'],
     [0, 'the motion’s: nothing is added'],
   ])
   assert.deepEqual([clock.said, clock.asked, [...clock.meets]], [null, true, [-3695, -3505]])
@@ -190,7 +190,7 @@ test('a file whose times do not meet the motion’s is asked, has words for its 
     clocksOf({ ...clock, zone: 2 * 86400, said: -3599.5 }).filter(([one]) => one !== 0),
     [
       [2 * 86400, 'of another day: 2 days are added'],
-      [-3605, 'its own: it begins when the motion does'],
+      [-3605, 'its own: taken to begin with the motion, perhaps seconds off'],
       [-3599.5, 'its own: −3599.5 s are added'],
     ],
   )

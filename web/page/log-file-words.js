@@ -67,7 +67,7 @@ export function framesOf({ foreign, beside, origin, own }) {
  */
 export function clocksOf({ said, zone, together }) {
   /** @type {[number, string][]} */
-  const options = [[together, 'its own: it begins when the motion does']]
+  const options = [[together, 'its own: taken to begin with the motion, perhaps seconds off']]
   if (zone !== null) options.unshift([zone, zoneWords(zone)])
   options.push([0, 'the motion’s: nothing is added'])
   if (said !== null && options.every(([one]) => one !== said))

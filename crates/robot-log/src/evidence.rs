@@ -2,6 +2,7 @@
 //! shows here.
 
 use crate::fields::is_none;
+use crate::no_value;
 use crate::reading::LogReader;
 use crate::table::Table;
 use core::f64::consts::{PI, TAU};
@@ -38,6 +39,8 @@ pub(crate) fn samples<'t>(table: &Table, text: &'t str, column: usize) -> Vec<&'
 pub(crate) fn follows(read: &LogReader) -> String {
     let mut rows = read.to.rows().to_vec();
     rows.sort_by(|a, b| a.time.total_cmp(&b.time));
+    // The log says how many there were.
+    no_value::left_out(&mut rows);
     let poses = read.poses();
     let (landmarks, seen) = read.to.landmarks();
     let times: Vec<f64> = rows.iter().map(|row| row.time).chain(poses.iter().map(|pose| pose.time)).collect();

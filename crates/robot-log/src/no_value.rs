@@ -1,7 +1,7 @@
 //! Speeds and turn rates that are none: a bus writes the greatest number of a signal, as 655.35 km/h, where a sensor
 //! has no value.
 
-use estimate::drive::{Drive, Event};
+use estimate::drive::{Event, Row};
 
 /// No value is taken for none that is not beyond this, m/s and rad/s.
 const LEAST: [f64; 2] = [60.0, 5.0];
@@ -12,15 +12,15 @@ const ALIKE: f64 = 0.99;
 const MEANINGS: usize = 2;
 
 /// Leaves out the speeds and the turn rates that are such numbers, and says so.
-pub(crate) fn left_out(drive: &mut Drive) -> Vec<String> {
-    let speed = least_of(drive.rows.iter().filter_map(|row| speed(&row.event)).collect(), LEAST[0]);
-    let rate = least_of(drive.rows.iter().filter_map(|row| rate(&row.event)).collect(), LEAST[1]);
+pub(crate) fn left_out(rows: &mut Vec<Row>) -> Vec<String> {
+    let speed = least_of(rows.iter().filter_map(|row| speed(&row.event)).collect(), LEAST[0]);
+    let rate = least_of(rows.iter().filter_map(|row| rate(&row.event)).collect(), LEAST[1]);
     if speed.is_none() && rate.is_none() {
         return Vec::new();
     }
     let none = |of: Option<f64>, least: Option<f64>| of.zip(least).is_some_and(|(it, least)| it.abs() >= least);
     let mut counts = [0; 2];
-    drive.rows.retain_mut(|row| {
+    rows.retain_mut(|row| {
         let [no_speed, no_rate] = [none(self::speed(&row.event), speed), none(self::rate(&row.event), rate)];
         counts = [counts[0] + usize::from(no_speed), counts[1] + usize::from(no_rate)];
         match (row.event, no_speed, no_rate) {

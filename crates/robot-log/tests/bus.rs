@@ -51,6 +51,10 @@ fn a_number_far_beyond_all_others_says_that_there_is_no_value() {
             _ => format!("{:.2}", 36.0 + 0.1 * k as f64),
         });
         let (rows, notes) = read(&text);
+        let mut files = Files::default();
+        files.add("can.csv", &text).expect("a file");
+        let follows = files.files()[0].follows();
+        assert!(follows.contains("v 10 \u{2026} 15.5 m/s"), "{follows}");
         assert_eq!(speeds(&rows).len(), 170, "{odd}");
         assert!(speeds(&rows).iter().all(|v| *v < 20.0));
         let said = notes.iter().find(|note| note.contains("as a bus writes where a sensor has no value"));

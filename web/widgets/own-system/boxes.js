@@ -137,7 +137,8 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
     },
     /** A system that comes from elsewhere takes the place of what is pasted. @param {any} params @param {string} now */
     show(params, now) {
-      if (!pasted || pasted.is === now) return
+      // What is not understood is not lost: the reader may be at mending it.
+      if (!pasted || pasted.is === now || wrong() === 'paste') return
       pasted.area.value = written(params)
       pasted.is = now
     },

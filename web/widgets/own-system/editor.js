@@ -37,7 +37,10 @@ export function buildEditor(document, change) {
   const preset = select(document, begin, 'Preset', ['your own', ...PRESETS.map(({ name }) => name)])
   preset.addEventListener('change', () => {
     const chosen = PRESETS[preset.selectedIndex - 1]
-    if (chosen) propose('', () => paramsOf(chosen))
+    if (!chosen) return
+    // A preset takes the place of what could not be read.
+    say('', '')
+    propose('', () => paramsOf(chosen))
   })
   button(document, begin, 'Paste a system', () => boxes.paste())
   const paste = part(document, element, 'div', 'own-box')
@@ -137,7 +140,8 @@ export function buildEditor(document, change) {
         const tried = lab.constructor.from({ ...lab.state(), params: { ...frame.params, ...patch }, step: 0 })
         const { runLength } = tried.frame()
         tried.free()
-        say('', '')
+        // A paste that is not understood stays so, whatever else is changed.
+        if (name === 'paste' || wrong !== 'paste') say('', '')
         made = keyOf({ ...frame.params, ...patch })
         return { ...patch, ...runOf(runLength) }
       } catch (error) {

@@ -39,6 +39,12 @@ const SAMPLED = new RegExp(
 )
 /** `P *= 1000`, as filterpy's users write it, and its like. */
 const CHANGE = /^(?:[A-Za-z_]\w*\.)*([A-Za-z_]\w*)\s*\.?([-+*/@])=(?!=)\s*/
+/** `continuous`, `continuous = true`, `"discrete": false`, as a line of its own. */
+const TIME = new RegExp(
+  /^(["']?)(continuous|discrete)(?:[ _-]?time)?\1(?:\s*[:=]\s*(true|false|[01]))?/.source +
+    /(?=[^\S\n]*(?:[;\n,)}]|$))/.source,
+  'i',
+)
 /** Several values of one call. */
 const SEVERAL = /^\[?\s*([A-Za-z_]\w*(?:\s*,\s*[A-Za-z_~]\w*)+)\s*\]?\s*=(?!=)(?=\s*[A-Za-z_][\w.]*\s*\()/
 const THROUGH_NAMES = ['D', 'Dd', 'D_d']
@@ -124,6 +130,8 @@ class Paste {
       this.given.sampling[space ? 'space' : 'sample'](this.skip())
       return this.given.sampling.makes(call[0])
     }
+    const time = this.take(TIME)
+    if (time) return this.given.sampling.says((time[2].toLowerCase() === 'continuous') !== /^(?:false|0)$/i.test(time[3]))
     const several = SEVERAL.exec(this.rest)?.[1].match(/\w+/g) ?? []
     if (several.length > 0 && !several.some((name) => isMatrix(name) || isStep(name))) {
       this.take(SEVERAL)

@@ -45,6 +45,8 @@ export class Sampling {
     this.scope = scope
     this.given = given
     this.continuous = false
+    /** Whether the text says in words that the system is of continuous time; undefined where it says neither. */
+    this.said = /** @type {boolean | undefined} */ (undefined)
     /** Whether it is given how the system is sampled. */
     this.sampled = false
     /** The first matrix of the system that is sampled, or of continuous time; empty where the text does not tell. */
@@ -66,6 +68,12 @@ export class Sampling {
   step(name, step, anew = false) {
     if (anew) this.steps = this.steps.filter((one) => one.name !== name)
     this.steps.push({ name, step, rank: CALLED.findIndex((called) => called.test(name)) })
+  }
+
+  /** @param {boolean} continuous */
+  says(continuous) {
+    if (this.said === !continuous) throw new Fault('The text says both, continuous and discrete time; leave one out.')
+    this.said = continuous
   }
 
   /** @param {string} text @param {string} from */
@@ -144,7 +152,9 @@ export class Sampling {
    */
   answer(f, stepwise) {
     const meant = this.of === '' ? !stepwise : this.of === f
-    const continuous = meant && (this.continuous || this.sampled)
+    const continuous = meant && (this.said || this.continuous || this.sampled)
+    if (this.said === false && continuous)
+      throw new Fault('The text says discrete time, and has a system of continuous time; leave one out.')
     const rank = Math.min(...this.steps.map((one) => one.rank))
     const [first, ...others] = this.steps.filter((one) => one.rank === rank)
     const other = others.find(({ step }) => step !== first.step)
