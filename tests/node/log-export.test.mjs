@@ -128,6 +128,10 @@ test('what robot_localization has to be told otherwise is said: a true start, an
     /# Multiply distances of odometry by 0\.9705 and turns by 1\.01 /,
   )
   assert.doesNotMatch(said({ motion: 'odometry' }), /Multiply distances/)
+  assert.match(
+    said({ motion: 'velocity', corrections: { driven: [1, 0.96] } }),
+    /# Multiply turn rates by 0\.96 before/,
+  )
 })
 
 /** What robot_localization’s ekf_node declares in its documentation: without a sensor’s number. */

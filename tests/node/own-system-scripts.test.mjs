@@ -113,26 +113,6 @@ test('what a call of c2d makes is not taken for the matrix of continuous time', 
     assert.match(read(whole.replace(/Q = [^;]*;/, after.includes('Qd') ? '' : '$&') + after).fault ?? 'read', fault)
 })
 
-test('a text may say in words which time it is of', () => {
-  const whole = 'A = [0 1; -4 -0.4]; B = [0; 1]; C = [1 0]; Q = diag([0 0.1]); R = 0.01; T = 0.1\n'
-  const { system: expected } = read(`${whole}c2d(ss(A, B, C, 0), T)`)
-  for (const words of ['continuous', 'continuous = true', 'Continuous-time', 'continuous_time: 1', 'discrete = false']) {
-    const { system, unused, fault } = read(whole + words)
-    assert.deepEqual([words, system, unused], [words, expected, []], fault)
-  }
-  const json = '{"A": [[0, 1], [-4, -0.4]], "C": [[1, 0]], "Q": [[0, 0], [0, 0.1]], "R": [[0.01]], "T": 0.1, "continuous": X}'
-  for (const [word, continuous] of [['true', true], ['false', undefined]])
-    assert.equal(read(json.replace('X', String(word))).system.continuous, continuous)
-  for (const words of ['discrete', 'discrete = true', 'continuous = 0'])
-    assert.equal(read(whole + words).system.continuous, undefined)
-  for (const [after, fault] of /** @type {[string, RegExp][]} */ ([
-    ['continuous\ndiscrete', /^The text says both, continuous and discrete time; leave one out\.$/],
-    ['discrete; c2d(ss(A, B, C, 0), T)', /^The text says discrete time, and has a system of continuous time; leave/],
-  ]))
-    assert.match(read(whole + after).fault ?? 'read', fault)
-  assert.match(read(`${whole.replace('; T = 0.1', '')}continuous`).fault, /^The length of a step is missing/)
-})
-
 test('a name that is set anew is what it is then, and one that is not set has no change', () => {
   const whole = 'F = [1 0.1; 0 1]\nH = [1 0]\nQ = eye(2)\nR = 1\ndt = 0.5\n'
   for (const [after, V, W] of /** @type {[string, number, number][]} */ ([

@@ -53,6 +53,7 @@ const scaled = (own, factor) =>
 /** What the page reads otherwise than the files have it. @param {LogContents} contents */
 function corrected({ corrections, motion }) {
   const [far, much] = corrections.driven
+  if (motion === 'velocity' && much !== 1) return [`Multiply turn rates by ${float(much)} before they are published.`]
   if (motion !== 'odometry' || (far === 1 && much === 1)) return []
   return [`Multiply distances of odometry by ${float(far)} and turns by ${float(much)} before they are published.`]
 }

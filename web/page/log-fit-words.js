@@ -5,7 +5,7 @@ import { isStair, ownStep } from '../widgets/robot-log/sized.js'
 import { cutsFirst } from '../widgets/robot-log/gaps.js'
 import { hides } from '../widgets/robot-log/sigmas.js'
 import { likeliest, named } from '../widgets/robot-log/named.js'
-import { kind } from '../widgets/robot-log/verdict.js'
+import { kind } from '../widgets/robot-log/kinds.js'
 import { percent } from '../widgets/robot-log/words.js'
 import { grouped } from './log-likelihood.js'
 

@@ -26,6 +26,8 @@ const TOGETHER = /** @type {const} */ (['delayFix', 'delayHeading', 'delaySighti
 const DELAYS = /** @type {const} */ (['delaySpeed', 'delayTurn', ...TOGETHER])
 /** The longest delay that is tried from none, s. */
 const FAR = 3
+/** Faults that another reading of the files mends. */
+const READ_OTHERWISE = ['odometry', 'turn-scale', 'landmark-bias', 'exchanged', 'displaced']
 /** What the filter learns by itself, by the number that is off. @type {Record<string, string>} */
 const LEARNED = { turnBias: 'learnBias', speedScale: 'learnSpeed' }
 
@@ -43,9 +45,9 @@ const said = (size, times = 1) => Number((rounded(size, times) / times).toPrecis
 function corrected({ fault, landmarks: ids, sizes }, log) {
   if (!log?.corrections) return null
   const { driven, landmarks: moved, ranges } = log.corrections
-  if (fault === 'odometry') {
+  if (fault === 'odometry' || fault === 'turn-scale') {
     if (sizes[0].end) return null
-    const [along, about = 1] = factors(sizes)
+    const [along, about = 1] = fault === 'odometry' ? factors(sizes) : [1, ...factors(sizes)]
     return {
       press: 'Take them so',
       corrections: { ...log.corrections, driven: [driven[0] * along, driven[1] * about] },
@@ -101,8 +103,8 @@ function cut({ gaps, suspects: [first] }, log) {
  */
 export function remedy(suspect, params, truth, log = null) {
   const { fault, name, with: other, sensor, sizes, times: read } = suspect
-  if (fault === 'mirrored') return null
-  if (['odometry', 'landmark-bias', 'exchanged', 'displaced'].includes(fault)) return corrected(suspect, log)
+  if (['mirrored', 'mirrored-bearings'].includes(fault)) return null
+  if (READ_OTHERWISE.includes(fault)) return corrected(suspect, log)
   if (fault === 'tails') {
     const gate = { ...bySensor(params.gate), [sensor ?? 'fix']: GATE }
     const behind = name !== null && sizes.length > 1

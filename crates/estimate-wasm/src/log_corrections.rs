@@ -12,7 +12,7 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 /** What is read otherwise than the files of a log have it. */
 export interface LogCorrections {
-    /** How many times distances and turns of odometry are taken as they are read. */
+    /** How many times distances of odometry, and turns or turn rates, are taken as they are read. */
     driven: [number, number];
     /** The id, x and y of each landmark that stands elsewhere. */
     landmarks: [number, number, number][];

@@ -1,5 +1,5 @@
-//! What is read otherwise than the files have it, as a verdict on the log proposes it: distances and turns of odometry
-//! by factors, landmarks at other places, the ranges of one shorter, and a part of the log alone.
+//! What is read otherwise than the files have it, as a verdict on the log proposes it: distances and turns by factors,
+//! landmarks at other places, the ranges of one shorter, and a part of the log alone.
 
 use crate::frames::signed;
 use estimate::drive::{Drive, Event};
@@ -11,7 +11,7 @@ const LEAST: f64 = 1e-3;
 /// What is read otherwise than the files have it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Corrections {
-    /// How many times the distances and the turns of odometry are taken as they are read.
+    /// How many times the distances of odometry and the turns of any motion are taken as they are read.
     pub driven: [f64; 2],
     /// Where landmarks stand instead, by their numbers; m.
     pub landmarks: BTreeMap<u32, [f64; 2]>,
@@ -40,17 +40,22 @@ impl Corrections {
     /// there is none, does nothing.
     pub(crate) fn onto(&self, drive: &mut Drive, names: &[String]) -> Vec<String> {
         let mut said = Vec::new();
-        let ([far, much], mut driven) = (self.driven, false);
+        let ([far, much], mut turned) = (self.driven, false);
         for row in &mut drive.rows {
-            if let Event::Odometry { distance, turn } = &mut row.event {
-                (*distance, *turn) = (far * *distance, much * *turn);
-                driven = true;
+            match &mut row.event {
+                Event::Odometry { distance, turn } => (*distance, *turn) = (far * *distance, much * *turn),
+                Event::Velocity { omega, .. } | Event::TurnRate { omega } => {
+                    (*omega, turned) = (much * *omega, true);
+                }
+                _ => {}
             }
         }
-        if driven && self.driven != [1.0; 2] {
+        if drive.motion.is_odometry() && self.driven != [1.0; 2] {
             said.push(format!(
                 "Distances of odometry are taken {far:.4} times as they are read, and turns {much:.4} times."
             ));
+        } else if turned && much != 1.0 {
+            said.push(format!("Turn rates are taken {much:.4} times as they are read."));
         }
         let name = |id: u32| {
             let name = names.get((id as usize).wrapping_sub(1)).cloned();

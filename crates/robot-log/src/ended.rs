@@ -1,5 +1,6 @@
 //! Where the motion of a log ends before its readings do, and no row says what the robot did from there on; or where a
-//! sensor's readings end before the log does.
+//! sensor's readings end before the log does; or where the positions begin behind the motion, which is replayed from
+//! the first of them on.
 
 use crate::sensed::{MISSED, READ};
 use estimate::drive::{Drive, Event, Motion, Row, SHORTEST_GAP, end_without};
@@ -30,6 +31,21 @@ pub(crate) fn ended(drive: &Drive) -> Vec<String> {
         )
     };
     found.into_iter().flatten().map(said).collect()
+}
+
+/// What is said of positions that begin late, where no truth says where the robot was before.
+pub(crate) fn begun_late(drive: &Drive) -> Option<String> {
+    let is = |event: &Event| matches!(event, Event::Position { .. });
+    let (first, fix) = (drive.rows.first()?, drive.rows.iter().find(|row| is(&row.event))?);
+    let moves = drive.rows.iter().find(|row| row.event.is_motion())?;
+    let late = drive.truth.poses().is_empty() && fix.time - moves.time > MISSED;
+    late.then(|| {
+        format!(
+            "The first position is read {:.1} s after the first row: the estimate begins there, and what was driven \
+             before it is not used.",
+            fix.time - first.time
+        )
+    })
 }
 
 /// What is said of sensors whose readings end early, though not before the motion begins.

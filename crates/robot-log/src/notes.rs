@@ -2,7 +2,7 @@
 
 use crate::cells::{Cells, NoRange};
 use crate::columns::clockwise;
-use crate::ended::{ended, ended_readings};
+use crate::ended::{begun_late, ended, ended_readings};
 use crate::error::Error;
 use crate::guess;
 use crate::names::{Name, candidates};
@@ -245,7 +245,8 @@ pub(crate) fn gaps(drive: &Drive) -> Vec<String> {
         missed(rows, count, longest, &format!("{held}. {guess}"))
     };
     let gaps = estimate::drive::gaps(&drive.rows, drive.motion).into_iter().map(note);
-    gaps.chain(ended(drive)).chain(unread(&drive.rows)).chain(ended_readings(&drive.rows)).collect()
+    let readings = unread(&drive.rows).into_iter().chain(ended_readings(&drive.rows));
+    gaps.chain(ended(drive)).chain(begun_late(drive)).chain(readings).collect()
 }
 
 /// Where no fix was read, or no heading: the motion alone leads on there.

@@ -289,12 +289,11 @@ impl LogReader {
         notes.extend(kept.map(|kept| log.cut(kept)));
         let file = |row: &Row| Some(self.files.iter().find(|(_, end)| (row.line as usize) < *end)?.0.as_str());
         notes.extend(crate::no_value::left_out(&mut log.drive.rows));
-        let copies = twice::left_out(&mut log.drive.rows);
+        notes.extend(twice::left_out(&mut log.drive.rows));
         notes.extend(notes::times(&log.drive, file));
         notes.extend(frames::apart(&log.drive));
         notes.extend(notes::lacking(&log.drive));
         notes.extend(notes::gaps(&log.drive));
-        notes.extend(copies);
         notes.extend(notes::left_out(self.unlisted, left_out, mapped));
         Ok(Understood { notes, landmarks: self.landmarks.names(), ..log.into() })
     }

@@ -62,8 +62,13 @@ const SPEEDS: [Unit; 6] = [
     unit("mph", 0.44704, &["mph", "mi h"]),
     unit("kn", 1852.0 / 3600.0, &["kn", "kt", "kts", "knots", "knoten"]),
 ];
-const ANGLES: [Unit; 3] =
-    [unit("rad", 1.0, &RAD), unit("deg", DEGREE, &DEG), unit("0.01 deg", DEGREE / 100.0, &HUNDREDTHS)];
+const ANGLES: [Unit; 5] = [
+    unit("rad", 1.0, &RAD),
+    unit("deg", DEGREE, &DEG),
+    unit("0.01 deg", DEGREE / 100.0, &HUNDREDTHS),
+    unit("rad clockwise", -1.0, &[]),
+    unit("deg clockwise", -DEGREE, &[]),
+];
 /// A heading may be four numbers: x, y, z and w, of which one column is chosen.
 pub(crate) const QUATERNION: &str = "quaternion";
 

@@ -92,3 +92,18 @@ fn a_buoy_is_a_landmark() {
     assert_eq!(log.drive.landmarks.len(), 2);
     assert_eq!(log.drive.rows.iter().filter(|row| !row.event.is_motion()).count(), 3);
 }
+
+#[test]
+fn positions_that_begin_long_after_the_motion_are_said_where_no_truth_is() {
+    let motion = speeds();
+    let late: String = fixes(60.0)
+        .lines()
+        .enumerate()
+        .filter(|(i, _)| *i == 0 || *i > 100)
+        .fold(String::new(), |all, (_, line)| all + line + "\n");
+    let words = "The first position is read 20.0 s after the first row: the estimate begins there";
+    assert!(said(&[("speed.csv", &*motion), ("gps.csv", &late)], words));
+    assert!(!said(&[("speed.csv", &*motion), ("gps.csv", &fixes(60.0))], "The first position is read"));
+    let truth = "time_s,true_x,true_y,true_theta\n0,0,0,0\n30,30,0,0\n60,60,0,0\n";
+    assert!(!said(&[("speed.csv", &*motion), ("gps.csv", &late), ("truth.csv", truth)], "The first position is read"));
+}

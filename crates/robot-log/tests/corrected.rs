@@ -49,6 +49,19 @@ fn distances_turns_and_places_are_taken_otherwise_and_that_is_said() {
 }
 
 #[test]
+fn turn_rates_are_taken_otherwise_and_speeds_are_not() {
+    let mut log = Files::default();
+    log.add("odom.csv", "time_s,v,omega\n0,1,0.5\n1,1,0.25\n2,1,-0.5\n").expect("motion");
+    assert!(log.correct(Corrections { driven: [1.0, 0.5], ..Corrections::default() }));
+    let read = log.read().expect("sound");
+    let moves: Vec<_> = read.log.drive.rows.iter().map(|row| row.event).collect();
+    assert_eq!(moves, [0.25, 0.125, -0.25].map(|omega| Event::Velocity { v: 1.0, omega }));
+    assert!(read.notes.contains(&"Turn rates are taken 0.5000 times as they are read.".into()), "{:?}", read.notes);
+    assert!(log.correct(Corrections { driven: [2.0, 1.0], ..Corrections::default() }));
+    assert!(log.read().expect("sound").notes.iter().all(|note| !note.contains("as they are read")));
+}
+
+#[test]
 fn what_no_log_can_be_read_by_is_refused() {
     let mut log = files();
     for driven in [[0.0, 1.0], [1.0, -1.0], [f64::NAN, 1.0], [1.0, f64::INFINITY]] {

@@ -13,6 +13,9 @@ use sim::Noise;
 pub const FAULTS: [Fault; 7] =
     [Fault::Start, Fault::Clock, Fault::Bias, Fault::Scale, Fault::Tails, Fault::Sigma, Fault::Turned];
 
+/// Their logs: new kinds of fault leave those of the others as they are.
+const SEEDS: [u64; FAULTS.len() + 1] = [1, 2, 3, 4, 6, 7, 8, 9];
+
 /// A log with a fault.
 #[derive(Clone, Debug)]
 pub struct Case {
@@ -42,7 +45,8 @@ pub fn sound(n: u64) -> Case {
 
 /// The n-th log with this fault: half of them have a truth.
 pub fn planted(fault: Fault, n: u64) -> Case {
-    let seed = 1000 * (fault as u64 + 1) + n;
+    let kind = FAULTS.iter().position(|one| *one == fault).unwrap_or(FAULTS.len());
+    let seed = 1000 * SEEDS[kind] + n;
     let mut noise = Noise::new(seed);
     let worlds: Vec<&World> = WORLDS.iter().filter(|world| has(world, fault)).collect();
     let (world, truth) = (worlds[(n / 2) as usize % worlds.len()], n.is_multiple_of(2));

@@ -131,7 +131,8 @@ class Paste {
       return this.given.sampling.makes(call[0])
     }
     const time = this.take(TIME)
-    if (time) return this.given.sampling.says((time[2].toLowerCase() === 'continuous') !== /^(?:false|0)$/i.test(time[3]))
+    if (time)
+      return this.given.sampling.says((time[2].toLowerCase() === 'continuous') !== /^(?:false|0)$/i.test(time[3]))
     const several = SEVERAL.exec(this.rest)?.[1].match(/\w+/g) ?? []
     if (several.length > 0 && !several.some((name) => isMatrix(name) || isStep(name))) {
       this.take(SEVERAL)

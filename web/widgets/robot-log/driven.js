@@ -1,4 +1,4 @@
-/** Odometry that reads too long or too short, in words: by which factors, and which wheels do so. */
+/** Motion that reads too much or too little by a share, in words: by which factors, and which wheels do so. */
 
 import { decimal } from '../../draw/numbers.js'
 import { plusMinus, rounded } from './sized.js'
@@ -39,13 +39,13 @@ export function odometrySentence(sizes, log, own = false) {
   )
 }
 
-/** @param {Log} log */
-export function mirroredSentence(log) {
-  const heading = log?.readings?.heading
-    ? ', or the headings are in another unit, from north or from the axis of x'
-    : ''
+/** Turn rates that read too much or too little by a share. @param {Size[]} sizes @param {Log} log */
+export function turnScaleSentence([size], log) {
+  if (size.end) return 'The turn rates are not those of the robot: mend their unit.'
+  const [about] = factors([size])
+  const base = log?.wheels ? ` A distance between the wheels ${decimal(1 / about, 4)} times as long does the same.` : ''
   return (
-    'The turns have the wrong sign: choose the unit of ω that turns the other way, or change their sign ' +
-    `in the file. If they are right, x and y of the places are exchanged${heading}.`
+    `The robot turns ${much(size, ['more', 'less'])} than its turn rates say: ` +
+    `take them ${decimal(about, 4)} times as they are read.${base}`
   )
 }

@@ -39,6 +39,17 @@ export function hides(sigma, pace) {
   return `So much is ${share} % of what is driven in a second: a fault of the motion may hide in it.`
 }
 
+/** An angle with a σ of so many radians, twenty degrees, tells next to nothing of where something is. */
+const BLIND = Math.PI / 9
+
+/** What a σ of an angle, as it is set, may hide. @param {Suspect[]} suspects */
+export function blind(suspects) {
+  const wide = suspects.find(({ name, sizes }) => /^sigma(Bearing|Heading)$/.test(name ?? '') && sizes[0]?.now > BLIND)
+  if (!wide) return ''
+  const degrees = fixed((180 / Math.PI) * wide.sizes[0].now, 0)
+  return `The σ of ${SIGMAS[wide.name ?? ''][0]} is set to ${degrees}°: a fault of those angles may hide in it.`
+}
+
 /** The σ that the readings have which are no outliers. @param {string} name @param {Suspect['sizes'][number]} size */
 export function withoutOutliers(name, size) {
   const [whose, unit] = SIGMAS[name] ?? []

@@ -42,13 +42,13 @@ const BEHIND =
   ' The σ of the motion are those with which the page begins, and behind a gate they may be wrong unseen: Fit tells.'
 
 /**
- * What is said of a σ that the verdict names; where it names no fault behind a gate, of the σ of the motion.
+ * What is said of a σ that the verdict names; where it names nothing to mend behind a gate, of the σ of the motion.
  * @param {LogJudgement} judgement @param {Record<string, any>} params @param {Known} known
  */
 export function unsettledWords(judgement, params, known) {
   const usual = judgement.suspects.filter((one) => MOTION.includes(one.name ?? '') && isUsual(one, params, known))
-  const sound = judgement.suspects.every(({ standing }) => standing === 'cleared')
-  if (sound && usual.length === MOTION.length && isGated(params)) return BEHIND
+  const settled = told(judgement).every(({ own }) => own)
+  if (settled && usual.length === MOTION.length && isGated(params)) return BEHIND
   const begins = told(judgement).some((suspect) => suspect.fault === 'sigma' && isUsual(suspect, params, known))
   const all = unsettled(judgement)
   const first = begins ? ' That σ is the one with which the page begins, whatever the log is.' : ''

@@ -1,12 +1,14 @@
 /** The verdict on a log in words: which fault the readings tell, how large it is, and what mends it. */
 
 import { fixed } from '../../draw/numbers.js'
-import { DILUTED, mirroredSentence, odometrySentence } from './driven.js'
+import { DILUTED, odometrySentence, turnScaleSentence } from './driven.js'
 import { HIDDEN, bridged, cutsFirst } from './gaps.js'
+import { MIRRORED_BEARINGS, mirroredSentence } from './mirrored.js'
 import { NEAR, named } from './named.js'
+import { DELAYED, together } from './kinds.js'
 import { READINGS, noisy } from './noise.js'
 import { off as offset, scaleSentence } from './scales.js'
-import { hides, sigmaKind, sigmaSentence, withoutOutliers } from './sigmas.js'
+import { blind, hides, sigmaSentence, withoutOutliers } from './sigmas.js'
 import { biased, displaced, exchanged } from './misplaced.js'
 import { brief, claimed, digits, isStair, ownStep, plusMinus } from './sized.js'
 import { startSentence } from './start.js'
@@ -17,24 +19,6 @@ import { startSentence } from './start.js'
 /** @typedef {import('./looks.js').Log} Log */
 
 const DEGREES = 180 / Math.PI
-
-/** @type {Record<string, [string, string]>} what comes late, and its verb */
-const DELAYED = {
-  delaySpeed: ['speed', 'comes'],
-  delayTurn: ['turn rate', 'comes'],
-  delayFix: ['positions', 'come'],
-  delayHeading: ['headings', 'come'],
-  delaySighting: ['ranges', 'come'],
-}
-/** @type {Record<string, string>} what a number that is off is called */
-const NAMES = {
-  turnBias: 'a bias of the turn rate',
-  offset: 'an offset of the ranges',
-  scale: 'a scale of the ranges',
-  speedScale: 'a scale of the speed',
-  bearingOffset: 'a turned camera',
-  headingOffset: 'a turned compass',
-}
 
 /**
  * @param {LogJudgement} judgement
@@ -60,6 +44,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
     sound ? arcs(judgement) : '',
     // A σ that has taken in a fault of the motion lets the start turn towards it.
     sound || judgement.suspects[0].fault === 'start' ? loose(judgement) : '',
+    sound ? blind(judgement.suspects) : '',
     sound ? noisy(judgement) : '',
     errors(judgement),
     judgement.rows < rows ? `The first ${count(judgement.rows)} rows are judged.` : '',
@@ -107,10 +92,13 @@ const bent = ({ sizes }) =>
  */
 function foreign({ suspects, ungated, against }, truth, log) {
   const [first] = suspects
-  const most = `Something is wrong that none of the ${suspects.length} faults that were looked for mends by itself.`
+  const sigmas = first.fault === 'sigma' && suspects.some((one) => one !== first && one.fault === 'sigma')
+  const most = sigmas
+    ? `Several σ may be wrong together: none of the ${suspects.length} faults that were looked for mends all by itself.`
+    : `Something is wrong that none of the ${suspects.length} faults that were looked for mends by itself.`
   if (!first.mended || !against) return most
   const likely = `${most} The likeliest is this: ${sentence(first, truth, log)}`
-  if (first.fault === 'sigma' && suspects.some((one) => one !== first && one.fault === 'sigma')) return likely
+  if (sigmas) return likely
   const from = `${fixed(first.mended.rmse, 2)} m from the truth, where it is ${fixed(against.rmse, 2)} m from it now`
   const gate = ungated ? ' without the gate' : ''
   return `${likely} Mended so, the estimate would be ${from}${gate} (RMS): another fault may hide behind it.`
@@ -167,10 +155,10 @@ function loose({ suspects, pace }) {
 }
 
 /** A share beyond the ellipse that a sound filter does not have. */
-const MANY = 0.2
+const MANY = 0.15
 const TRUTH =
-  'The readings are as likely as they should be, so it is the truth that may be off: its origin, its axes, its clock ' +
-  'or its own errors.'
+  'That is more than chance: a σ may have taken in a fault that was not looked for, or the truth is off, by its ' +
+  'origin, its axes, its clock or its own errors.'
 const HELD = 'The errors are no larger than what the motion model has as its own, which holds what it reads for a step.'
 
 /** @param {LogJudgement} judgement */
@@ -207,24 +195,6 @@ function late({ name, with: other, flat, sizes: [size, , third] }, off) {
   return `The ${what} ${verb} ${much} s ${claim}${stair ? ', and the rows of motion tell no more' : ''}`
 }
 
-/** What comes late by the same. @param {string | null} name @param {string} other @param {Size} [third] */
-const together = (name, other, third) => (third ? 'readings' : `${DELAYED[name ?? ''][0]} and the ${DELAYED[other][0]}`)
-
-/** What a fault is called. @param {Suspect} suspect */
-export function kind({ fault, name, with: other, sensor, sizes }) {
-  if (fault === 'start') return 'another start'
-  if (fault === 'tails') return `a share of outliers among the ${READINGS[sensor ?? 'fix']}`
-  if (fault === 'clock')
-    return `a delay of the ${other ? `${together(name, other, sizes[2])} together` : DELAYED[name ?? ''][0]}`
-  if (fault === 'sigma') return sigmaKind(name)
-  if (fault === 'mirrored') return 'the sign of the turns'
-  if (fault === 'odometry') return 'a scale of the odometry'
-  if (fault === 'exchanged') return 'an exchange of two landmarks'
-  if (fault === 'displaced') return 'another place of a landmark'
-  if (fault === 'landmark-bias') return 'an offset of the ranges to one landmark'
-  return other ? 'scale and offset of the ranges together' : NAMES[name ?? '']
-}
-
 /** What is wrong, and what to do. @param {Suspect} suspect @param {boolean} truth @param {Log | null} [log] */
 export function sentence(suspect, truth, log = null) {
   const { fault, name, sensor, sizes, landmarks } = suspect
@@ -232,7 +202,9 @@ export function sentence(suspect, truth, log = null) {
   if (fault === 'exchanged') return exchanged(landmarks ?? [], log)
   if (fault === 'displaced') return displaced(landmarks ?? [], sizes, log)
   if (fault === 'landmark-bias') return biased(landmarks ?? [], sizes, log)
+  if (fault === 'turn-scale') return turnScaleSentence(sizes, log)
   if (fault === 'mirrored') return mirroredSentence(log)
+  if (fault === 'mirrored-bearings') return MIRRORED_BEARINGS
   const [size, second] = sizes
   const off = size.value - size.now
   if (fault === 'start') return startSentence(sizes, truth)

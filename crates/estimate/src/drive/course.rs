@@ -37,7 +37,9 @@ pub(crate) struct Otherwise {
     pub arcs: bool,
     /// Whether the turns have the other sign.
     pub mirrored: bool,
-    /// By what share the distances and the turns of odometry are larger than they are read.
+    /// Whether the bearings have the other sign.
+    pub clockwise: bool,
+    /// By what share the distances of odometry and the turns of any motion are larger than they are read.
     pub driven: [f64; 2],
     /// Two landmarks, by their places in the list, that are taken for one another.
     pub exchanged: Option<[usize; 2]>,

@@ -13,6 +13,8 @@ pub enum Fault {
     Scale,
     /// The distances and turns of odometry read too much or too little by a share.
     Odometry,
+    /// Turn rates read too much or too little by a share.
+    TurnScale,
     /// Outliers: more readings lie far off than a normal distribution has.
     Tails,
     /// A standard deviation is claimed too small or too large.
@@ -21,6 +23,8 @@ pub enum Fault {
     Turned,
     /// Turns are counted the other way round.
     Mirrored,
+    /// Bearings are counted the other way round.
+    MirroredBearings,
     /// The ranges of one landmark are off by a constant, as behind a wall.
     LandmarkBias,
     /// Two landmarks are taken for one another.
@@ -38,10 +42,12 @@ impl Fault {
             Self::Bias => "bias",
             Self::Scale => "scale",
             Self::Odometry => "odometry",
+            Self::TurnScale => "turn-scale",
             Self::Tails => "tails",
             Self::Sigma => "sigma",
             Self::Turned => "turned",
             Self::Mirrored => "mirrored",
+            Self::MirroredBearings => "mirrored-bearings",
             Self::LandmarkBias => "landmark-bias",
             Self::Exchanged => "exchanged",
             Self::Displaced => "displaced",

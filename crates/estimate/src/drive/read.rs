@@ -28,6 +28,7 @@ pub(crate) fn reading(course: &Course, event: &Event) -> Option<Reading> {
         Event::RangeBearing { landmark, range, bearing } => {
             let w = Matrix2::new(s.sigma_range * s.sigma_range, 0.0, 0.0, s.sigma_bearing * s.sigma_bearing);
             // A log has the bearing from the robot's nose.
+            let bearing = if course.otherwise().clockwise { -bearing } else { bearing };
             let bearing = wrap(bearing - s.bearing_offset + PI);
             Reading::RangeBearing {
                 landmark: Some(course.seen(landmark)),

@@ -150,12 +150,13 @@ impl Replay {
         let dt = (step.time - self.time).max(0.0);
         let Otherwise { arcs, mirrored, driven: [far, much], .. } = *course.otherwise();
         let u = match (step.way, step.event) {
-            (Some(way), _) => self.on(way, step.time)?.component_mul(&Vector2::new(1.0 + far, 1.0 + much)),
-            (None, Event::Odometry { distance, turn }) => Vector2::new((1.0 + far) * distance, (1.0 + much) * turn),
+            (Some(way), _) => self.on(way, step.time)?,
+            (None, Event::Odometry { distance, turn }) => Vector2::new(distance, turn),
             _ if course.moves_by() == Motion::Velocity => self.held * dt,
             _ => return None,
         };
-        let u = if mirrored { Vector2::new(u[0], -u[1]) } else { u };
+        let much = if mirrored { -1.0 - much } else { 1.0 + much };
+        let u = Vector2::new((1.0 + far) * u[0], much * u[1]);
         let s = course.settings();
         let noise = Matrix2::new(s.sigma_distance * s.sigma_distance, 0.0, 0.0, s.sigma_turn * s.sigma_turn) * dt;
         // What is driven evenly turns on the way.

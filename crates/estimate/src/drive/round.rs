@@ -86,7 +86,7 @@ impl Round {
                     found.freed
                 })
             }
-            Tried::Mirrored => {
+            Tried::Mirrored | Tried::MirroredBearings => {
                 let gain = search.replay(&place(&[])).map(|evidence| evidence.gain(base, search.from));
                 gain.filter(|gain| gain.is_finite()).map(|gain| Freed { gain, ..nothing() })
             }

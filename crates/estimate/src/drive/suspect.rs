@@ -4,7 +4,7 @@ use crate::drive::course::Course;
 use crate::drive::evidence::{Against, Trial};
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
-use crate::drive::row::{Drive, Event};
+use crate::drive::row::{Drive, Event, Motion};
 use crate::drive::sensor::Sensor;
 use crate::drive::settings::MAX_DELAY;
 use alloc::vec::Vec;
@@ -49,7 +49,8 @@ pub struct Suspect {
     pub landmarks: Vec<u32>,
     /// The numbers; of the start x, y and θ in m, m and rad; of a landmark x and y in m, or by how much its ranges
     /// are too long; of outliers their share, and σ where that is another one behind the gate; of
-    /// odometry the shares by which distances and, where it turns, turns are larger than they are read.
+    /// odometry the shares by which distances and, where it turns, turns are larger than they are read; of turn rates
+    /// that share.
     pub sizes: Vec<Size>,
     /// The least of the standard deviations that readings bring, their median and the greatest: of a factor on them.
     pub claims: Option<[f64; 3]>,
@@ -74,6 +75,8 @@ impl Suspect {
     pub(crate) fn tried(&self) -> Tried {
         match (self.fault, self.number, self.sensor) {
             (Fault::Mirrored, ..) => Tried::Mirrored,
+            (Fault::MirroredBearings, ..) => Tried::MirroredBearings,
+            (Fault::TurnScale, ..) => Tried::TurnScale,
             (Fault::Exchanged, ..) => Tried::Exchanged,
             (Fault::Displaced, ..) => Tried::Displaced,
             (Fault::LandmarkBias, ..) => Tried::LandmarkBias,
@@ -101,7 +104,10 @@ pub(crate) enum Tried {
     Outliers(Sensor),
     /// The distances of odometry alone, or with the turns: how many of the two.
     Odometry(usize),
+    /// The turn rates of motion that is held.
+    TurnScale,
     Mirrored,
+    MirroredBearings,
     Exchanged,
     /// One landmark at another place.
     Displaced,
@@ -116,7 +122,7 @@ const READINGS: [Fitted; 3] = [Fitted::DelayFix, Fitted::DelayHeading, Fitted::D
 /// The first difference of the start's place and heading: a share of their standard deviations, at most so much.
 const START_SHARE: f64 = 0.1;
 const START_MOST: f64 = 0.1;
-/// That of a share of odometry, and from where to where one is tried.
+/// That of a share of odometry or of turn rates, and from where to where one is tried.
 const SHARE: f64 = 1e-4;
 const SHARES: [f64; 2] = [-0.9, 9.0];
 /// That of a delay, s, and at least so many periods of the motion.
@@ -148,7 +154,9 @@ impl Tried {
             (Self::Odometry(1 + usize::from(turning)), placed && drive.motion.is_odometry()),
             (Self::Together(read), read.iter().filter(|it| **it).count() > 1),
             (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
+            (Self::TurnScale, turning && drive.motion == Motion::Velocity),
             (Self::Mirrored, turning),
+            (Self::MirroredBearings, s.sightings && has.bearing),
             (Self::Exchanged, landmarks),
             (Self::Displaced, landmarks),
             (Self::LandmarkBias, landmarks),
@@ -167,7 +175,9 @@ impl Tried {
             Self::Number(Fitted::Scale | Fitted::SpeedScale) | Self::Ruler => Fault::Scale,
             Self::Number(Fitted::BearingOffset | Fitted::HeadingOffset) => Fault::Turned,
             Self::Odometry(_) => Fault::Odometry,
+            Self::TurnScale => Fault::TurnScale,
             Self::Mirrored => Fault::Mirrored,
+            Self::MirroredBearings => Fault::MirroredBearings,
             Self::Exchanged => Fault::Exchanged,
             Self::Displaced => Fault::Displaced,
             Self::LandmarkBias => Fault::LandmarkBias,
@@ -179,7 +189,7 @@ impl Tried {
 
     /// Whether it is a factor, on what readings claim or on what they read, which may be far from one.
     pub fn is_far(self) -> bool {
-        matches!(self.fault(), Fault::Scale | Fault::Odometry)
+        matches!(self.fault(), Fault::Scale | Fault::Odometry | Fault::TurnScale)
             || self.numbers().iter().any(|number| number.claimed_by().is_some())
     }
 
@@ -189,8 +199,8 @@ impl Tried {
             Self::Start => 3,
             Self::Ruler | Self::Displaced => 2,
             Self::Odometry(count) => count,
-            Self::Number(_) | Self::Outliers(_) | Self::Together(_) | Self::LandmarkBias => 1,
-            Self::Mirrored | Self::Exchanged => 0,
+            Self::Number(_) | Self::Outliers(_) | Self::Together(_) | Self::TurnScale | Self::LandmarkBias => 1,
+            Self::Mirrored | Self::MirroredBearings | Self::Exchanged => 0,
         }
     }
 
@@ -210,7 +220,7 @@ impl Tried {
             Self::Start => return alloc::vec![0.0; 3],
             Self::Odometry(count) => return alloc::vec![0.0; count],
             // By how much all of them are later than they are set.
-            Self::Together(_) => return alloc::vec![0.0],
+            Self::Together(_) | Self::TurnScale => return alloc::vec![0.0],
             _ => {}
         }
         self.numbers().iter().map(|number| number.get(&place.settings)).collect()
@@ -224,7 +234,9 @@ impl Tried {
             (Self::Outliers(sensor), _) => {
                 *place.settings.gate.of_mut(sensor) = Some(crate::drive::evidence::OUTLIER_GATE);
             }
+            (Self::TurnScale, &[share]) => place.otherwise.driven[1] = share,
             (Self::Mirrored, _) => place.otherwise.mirrored = true,
+            (Self::MirroredBearings, _) => place.otherwise.clockwise = true,
             (Self::Odometry(_), at) => place.otherwise.driven.iter_mut().zip(at).for_each(|(is, at)| *is = *at),
             (Self::Together(_), &[by]) => self.numbers().iter().for_each(|number| {
                 let now = number.get(&place.settings);
@@ -242,8 +254,8 @@ impl Tried {
         if self == Self::Start {
             return [s.start_sigma, s.start_sigma, s.start_sigma_heading].map(begins).to_vec();
         }
-        if let Self::Odometry(count) = self {
-            return alloc::vec![SHARE; count];
+        if matches!(self, Self::Odometry(_) | Self::TurnScale) {
+            return alloc::vec![SHARE; self.freedom()];
         }
         let step = |number: &Fitted| if number.is_delay() { DELAY.max(PERIODS * period) } else { number.fine() };
         self.numbers().iter().take(self.freedom()).map(step).collect()
@@ -252,7 +264,7 @@ impl Tried {
     /// Where the first is sought beside where it is: a scale at factors half as large again each, an eighth to eight.
     pub fn others(self) -> Vec<f64> {
         let factors = [0.12, 0.2, 0.3, 0.45, 0.65, 1.5, 2.2, 3.3, 5.0, 8.0];
-        if matches!(self.fault(), Fault::Scale | Fault::Odometry) {
+        if matches!(self.fault(), Fault::Scale | Fault::Odometry | Fault::TurnScale) {
             factors.map(|factor| factor - 1.0).to_vec()
         } else {
             Vec::new()
@@ -266,7 +278,7 @@ impl Tried {
         }
         match self {
             Self::Together(_) => return alloc::vec![[-most, most]],
-            Self::Odometry(count) => return alloc::vec![SHARES; count],
+            Self::Odometry(_) | Self::TurnScale => return alloc::vec![SHARES; self.freedom()],
             _ => {}
         }
         let bound = |(number, at): (&Fitted, &f64)| match number.is_delay() {

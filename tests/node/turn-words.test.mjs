@@ -1,0 +1,84 @@
+// What a verdict says of turn rates that are off by a share, of bearings that are counted the other way round, and of
+// what may hide where no fault is named.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { mendBefore } from '../../web/page/log-fit-words.js'
+import { remedies, remedy } from '../../web/page/log-remedy.js'
+import { unsettledWords } from '../../web/widgets/robot-log/unsettled.js'
+import { ranked, sentence } from '../../web/widgets/robot-log/verdict.js'
+import { judgement, suspect } from './verdicts.mjs'
+
+const share = { now: 0, value: -0.0384, sigma: 0.0029, end: false }
+const scaled = (/** @type {any} */ size = share) => suspect({ fault: 'turn-scale', name: null, sizes: [size] })
+const corrections = { driven: [1, 1.1], landmarks: [], ranges: [], kept: null }
+const log = /** @type {any} */ ({ corrections, names: [], motion: 'velocity', readings: {} })
+
+test('turn rates that read too much have the factor that their press sets', () => {
+  const said = 'The robot turns 3.84 ± 0.29 % less than its turn rates say: take them 0.9616 times as they are read.'
+  assert.equal(sentence(scaled(), false, log), said)
+  assert.equal(
+    sentence(scaled(), false, { ...log, wheels: true }),
+    `${said} A distance between the wheels 1.0399 times as long does the same.`,
+  )
+  assert.match(sentence(scaled({ ...share, value: 0.04 }), false, log), /^The robot turns 4\.00 ± 0\.29 % more than /)
+  const press = /** @type {any} */ (remedy(scaled(), {}, false, log))
+  assert.equal(press.press, 'Take them so')
+  const [along, about] = press.corrections.driven
+  assert.ok(along === 1 && Math.abs(about - 1.1 * 0.9616) < 1e-9, 'what was corrected before is counted in')
+  const end = scaled({ ...share, value: 9, end: true })
+  assert.match(sentence(end, false, log), /mend their unit\.$/)
+  assert.deepEqual([remedy(end, {}, false, log), remedy(scaled(), {}, false, null)], [null, null])
+  assert.match(mendBefore(judgement([scaled()])), /^The verdict names a scale of the turn rates, which Fit does not/)
+})
+
+test('bearings that are counted clockwise are for the reader to mend', () => {
+  const mirrored = suspect({ fault: 'mirrored-bearings', name: null, sizes: [] })
+  assert.match(
+    sentence(mirrored, false, log),
+    /^The bearings are counted clockwise, .* unit of the bearing that says cl/,
+  )
+  assert.equal(remedy(mirrored, {}, false, log), null)
+  assert.match(mendBefore(judgement([mirrored])), /^The verdict names the sign of the bearings/)
+})
+
+const sigma = (/** @type {string} */ name, /** @type {number} */ now, more = {}) =>
+  suspect({ fault: 'sigma', name, sizes: [{ now, value: now, sigma: 0.01, end: false }], standing: 'cleared', ...more })
+
+test('beside no fault a σ of an angle that tells no direction is said', () => {
+  const said = (/** @type {any[]} */ all) => ranked(judgement(all), { rows: 1000, truth: false, log })
+  assert.match(
+    said([sigma('sigmaBearing', 0.69)]),
+    / The σ of a bearing is set to 40°: a fault of those angles may hide/,
+  )
+  assert.match(said([sigma('sigmaHeading', 0.4)]), / The σ of a heading is set to 23°: /)
+  assert.doesNotMatch(said([sigma('sigmaBearing', 0.2), sigma('sigmaRange', 3)]), /may hide/)
+})
+
+test('several σ that are wrong together alarm nobody by another fault', () => {
+  const both = ['sigmaRange', 'sigmaBearing'].map((name) => sigma(name, 0.1, { standing: 'maybe' }))
+  both[0].mended = { rmse: 0.1, nees: 2, outside: 0.05 }
+  const against = { rmse: 0.2, nees: 4, outside: 0.1 }
+  const of = (/** @type {any[]} */ all) =>
+    ranked(judgement(all, { other: true, against }), { rows: 1000, truth: true, log })
+  assert.match(
+    of(both),
+    /^Several σ may be wrong together: none of the 2 faults .* mends all by itself\. The likeliest is/,
+  )
+  assert.doesNotMatch(of(both), /another fault may hide/)
+  assert.match(of(both.slice(0, 1)), /^Something is wrong that none of the 1 faults /)
+})
+
+test('behind a gate the σ of the motion are said where nothing is to be pressed', () => {
+  const known = /** @type {any} */ ([
+    { name: 'sigmaDistance', default: 0.05 },
+    { name: 'sigmaTurn', default: 0.02 },
+  ])
+  const params = { gate: { fix: 0.999 }, sigmaDistance: 0.05, sigmaTurn: 0.02 }
+  const motion = [sigma('sigmaDistance', 0.05), sigma('sigmaTurn', 0.02)]
+  const own = suspect({ standing: 'maybe', own: true })
+  for (const all of [motion, [own, ...motion]]) {
+    assert.match(unsettledWords(judgement(all), params, known), /behind a gate they may be wrong unseen: Fit tells\.$/)
+    assert.deepEqual(remedies(judgement(all), /** @type {any} */ ({ params, truth: null, log })), [])
+  }
+  assert.doesNotMatch(unsettledWords(judgement([suspect({}), ...motion]), params, known), /unseen/)
+})
