@@ -68,6 +68,8 @@ const LOGS = {
       headingSigmaScale: 0.8,
       sigmaHeading: 0.2,
       headingOffset: 0.15,
+      antennaAhead: 1.3,
+      antennaLeft: -0.4,
       gate: { fix: 0.95, heading: 0.9 },
       every: { heading: 0.4 },
       withheld: [5, 6.5],
@@ -171,6 +173,8 @@ test('the configuration of robot_localization is YAML of its parameters, of thei
   }
   const [, , , { frame, contents }] = all
   const late = robotLocalization(frame, contents)
+  assert.match(late, /# The antenna stands 1\.3 m ahead of base_link and -0\.4 m to its left: publish the transform\n/)
+  assert.doesNotMatch(robotLocalization(all[0].frame, all[0].contents), /antenna/)
   assert.match(late, /pose0: fix\/pose[\s\S]*pose0_rejection_threshold: 2\.447/)
   assert.match(late, /smooth_lagged_data: true\n +history_length: 2\.0/)
   assert.match(late, /# Stamp fixes 0\.3 s earlier/)

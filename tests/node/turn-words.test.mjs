@@ -8,6 +8,7 @@ import { unsettledWords } from '../../web/widgets/robot-log/unsettled.js'
 import { ranked, sentence } from '../../web/widgets/robot-log/verdict.js'
 import { judgement, suspect } from './verdicts.mjs'
 
+const params = /** @type {any} */ ({})
 const share = { now: 0, value: -0.0384, sigma: 0.0029, end: false }
 const scaled = (/** @type {any} */ size = share) => suspect({ fault: 'turn-scale', name: null, sizes: [size] })
 const corrections = { driven: [1, 1.1], landmarks: [], ranges: [], kept: null }
@@ -21,13 +22,13 @@ test('turn rates that read too much have the factor that their press sets', () =
     `${said} A distance between the wheels 1.0399 times as long does the same.`,
   )
   assert.match(sentence(scaled({ ...share, value: 0.04 }), false, log), /^The robot turns 4\.00 ± 0\.29 % more than /)
-  const press = /** @type {any} */ (remedy(scaled(), {}, false, log))
+  const press = /** @type {any} */ (remedy(scaled(), params, false, log))
   assert.equal(press.press, 'Take them so')
   const [along, about] = press.corrections.driven
   assert.ok(along === 1 && Math.abs(about - 1.1 * 0.9616) < 1e-9, 'what was corrected before is counted in')
   const end = scaled({ ...share, value: 9, end: true })
   assert.match(sentence(end, false, log), /mend their unit\.$/)
-  assert.deepEqual([remedy(end, {}, false, log), remedy(scaled(), {}, false, null)], [null, null])
+  assert.deepEqual([remedy(end, params, false, log), remedy(scaled(), params, false, null)], [null, null])
   assert.match(mendBefore(judgement([scaled()])), /^The verdict names a scale of the turn rates, which Fit does not/)
 })
 
@@ -37,7 +38,7 @@ test('bearings that are counted clockwise are for the reader to mend', () => {
     sentence(mirrored, false, log),
     /^The bearings are counted clockwise, .* unit of the bearing that says cl/,
   )
-  assert.equal(remedy(mirrored, {}, false, log), null)
+  assert.equal(remedy(mirrored, params, false, log), null)
   assert.match(mendBefore(judgement([mirrored])), /^The verdict names the sign of the bearings/)
 })
 
@@ -73,12 +74,12 @@ test('behind a gate the σ of the motion are said where nothing is to be pressed
     { name: 'sigmaDistance', default: 0.05 },
     { name: 'sigmaTurn', default: 0.02 },
   ])
-  const params = { gate: { fix: 0.999 }, sigmaDistance: 0.05, sigmaTurn: 0.02 }
+  const set = { gate: { fix: 0.999 }, sigmaDistance: 0.05, sigmaTurn: 0.02 }
   const motion = [sigma('sigmaDistance', 0.05), sigma('sigmaTurn', 0.02)]
   const own = suspect({ standing: 'maybe', own: true })
   for (const all of [motion, [own, ...motion]]) {
-    assert.match(unsettledWords(judgement(all), params, known), /behind a gate they may be wrong unseen: Fit tells\.$/)
-    assert.deepEqual(remedies(judgement(all), /** @type {any} */ ({ params, truth: null, log })), [])
+    assert.match(unsettledWords(judgement(all), set, known), /behind a gate they may be wrong unseen: Fit tells\.$/)
+    assert.deepEqual(remedies(judgement(all), /** @type {any} */ ({ params: set, truth: null, log })), [])
   }
-  assert.doesNotMatch(unsettledWords(judgement([suspect({}), ...motion]), params, known), /unseen/)
+  assert.doesNotMatch(unsettledWords(judgement([suspect({}), ...motion]), set, known), /unseen/)
 })

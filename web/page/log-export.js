@@ -58,6 +58,15 @@ function corrected({ corrections, motion }) {
   return [`Multiply distances of odometry by ${float(far)} and turns by ${float(much)} before they are published.`]
 }
 
+/** Where the antenna of the fixes stands. @param {Frame} frame @param {LogContents} contents */
+function antenna({ params: { fixes, antennaAhead: ahead, antennaLeft: left } }, { readings }) {
+  if (!readings.fix || !fixes || (ahead === 0 && left === 0)) return []
+  return [
+    `The antenna stands ${float(ahead)} m ahead of base_link and ${float(left)} m to its left: publish the transform`,
+    'from base_link to its frame, by which navsat_transform_node takes that off each fix.',
+  ]
+}
+
 /** What no setting of a program of others says, in sentences. @param {Frame} frame @param {LogContents} contents */
 function left(frame, contents) {
   const { params } = frame
@@ -96,6 +105,7 @@ function left(frame, contents) {
     ...(heading && params.headings && gateOf(params.gate, 'heading') !== null
       ? ['The gate of the headings is left out: set pose1_rejection_threshold by hand.']
       : []),
+    ...antenna(frame, contents),
     'A covariance below is a diagonal of 15 numbers, which robot_localization reads since May 2022: an older one wants',
     'all 225 of the matrix.',
     ...(contents.truth

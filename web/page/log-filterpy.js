@@ -38,6 +38,8 @@ export function filterpy(frame) {
     HEADING_OFFSET: params.headingOffset,
     SPEED_SCALE: speedScale,
     TURN_BIAS: turnBias,
+    ANTENNA_AHEAD: params.antennaAhead,
+    ANTENNA_LEFT: params.antennaLeft,
   }).map(([name, value]) => `${name} = ${exact(value)}\n`)
   return `"""The filter that was tuned on a page of the book Robot Motion, on filterpy. MIT or Apache-2.0.
 
@@ -185,7 +187,7 @@ def replay(landmarks, truth, rows):
         last[sensor] = stamp
         if sensor == "fix":
             sigma = numbers[2] * FIX_SIGMA_SCALE if len(numbers) > 2 else SIGMA_FIX
-            robot.correct(sensor, numbers[:2], lambda x: x[:2], lambda x: np.eye(2, 3), [sigma**2] * 2)
+            robot.correct(sensor, numbers[:2], antenna, by_antenna, [sigma**2] * 2)
         elif sensor == "heading":
             sigma = numbers[1] * HEADING_SIGMA_SCALE if len(numbers) > 1 else SIGMA_HEADING
             theta = wrap(numbers[0] - HEADING_OFFSET)
@@ -193,6 +195,18 @@ def replay(landmarks, truth, rows):
         else:
             see(robot, sensor, landmarks[int(numbers[0])], numbers[1:])
     return robot
+
+
+def antenna(x):
+    """Where the antenna is whose position a fix is."""
+    c, s = math.cos(x[2]), math.sin(x[2])
+    return np.array([x[0] + c * ANTENNA_AHEAD - s * ANTENNA_LEFT, x[1] + s * ANTENNA_AHEAD + c * ANTENNA_LEFT])
+
+
+def by_antenna(x):
+    c, s = math.cos(x[2]), math.sin(x[2])
+    turned = [-s * ANTENNA_AHEAD - c * ANTENNA_LEFT, c * ANTENNA_AHEAD - s * ANTENNA_LEFT]
+    return np.array([[1, 0, turned[0]], [0, 1, turned[1]]])
 
 
 def see(robot, sensor, mark, z):

@@ -1,5 +1,6 @@
 /** What a reader tells the filter of a log, in the strip of the workbench: sensors, start, afterwards, fit. */
 
+import { startBelow } from '../widgets/robot-log/antenna.js'
 import { FitForm } from './log-fit.js'
 import { SENSORS, openingOf, settingWords } from './log-numbers.js'
 import { SensorForm } from './log-sensors.js'
@@ -46,7 +47,7 @@ export class Forms {
     /** @type {import('estimate-wasm').LogContents | null} */
     this.contents = null
     this.change = (/** @type {Record<string, unknown>} */ patch) => {
-      host.figure.change({ ...this.withStart(patch), ...patch })
+      host.figure.change({ ...this.withStart(patch), ...this.below(patch), ...patch })
       this.follow()
     }
     const smooth = async () => {
@@ -174,6 +175,19 @@ export class Forms {
     if (typeof factor !== 'number' || !contents || !params) return {}
     const [before, after] = [params.fixSigmaScale, factor].map((one) => openingOf(contents, one)?.startSigma)
     return before !== undefined && params.startSigma === before ? { startSigma: after } : {}
+  }
+
+  /**
+   * The start of a log without truth, which the first fixes have told, where their antenna is set elsewhere.
+   * @param {Record<string, any>} patch
+   */
+  below(patch) {
+    const params = this.host.figure.run?.wanted.params
+    const moved = ['antennaAhead', 'antennaLeft'].some((name) => name in patch && patch[name] !== params?.[name])
+    if (!moved || !params.start || this.contents?.truth !== false) return {}
+    const start = patch.start ?? startBelow(params, patch)
+    if (JSON.stringify(params.start) === JSON.stringify(this.started)) this.started = start
+    return { start }
   }
 
   /** Whether the filter uses any of the log’s readings. */

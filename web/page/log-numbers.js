@@ -35,6 +35,8 @@ export const SENSORS = [
       ['sigmaFix', 'σ, m', powers(-2, 2)],
       ['fixSigmaScale', OWN, TIMES],
       ['delayFix', 'delay, s', LATE],
+      ['antennaAhead', 'antenna ahead, m', { ends: [-5, 5], step: 0.05 }],
+      ['antennaLeft', 'antenna to the left, m', { ends: [-5, 5], step: 0.05 }],
     ],
   },
   {

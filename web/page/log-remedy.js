@@ -1,6 +1,7 @@
 /** What mends a fault that the verdict names, as its sentence says: a setting, a fit of several, or another reading. */
 
 import { decimal, fixed } from '../draw/numbers.js'
+import { startBelow } from '../widgets/robot-log/antenna.js'
 import { factors } from '../widgets/robot-log/driven.js'
 import { cutsFirst, longest } from '../widgets/robot-log/gaps.js'
 import { rounded } from '../widgets/robot-log/sized.js'
@@ -119,6 +120,12 @@ export function remedy(suspect, params, truth, log = null) {
     const [x, y, theta] = sizes
     const start = [said(x), said(y), said({ ...theta, value: wrapped(theta.value) }, 1 / DEGREE)]
     return { press: 'Set the start so', patch: { start } }
+  }
+  if (fault === 'antenna') {
+    const [antennaAhead, antennaLeft] = sizes.map((size) => said(size))
+    const patch = { antennaAhead, antennaLeft }
+    const start = truth || !params.start ? {} : { start: startBelow(params, patch) }
+    return { press: 'Set its place so', patch: { ...patch, ...start } }
   }
   // It may be in another unit, which is the reader's to say.
   if (fault === 'scale' && (sizes[0].end || read?.unit)) return null

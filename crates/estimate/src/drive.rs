@@ -52,6 +52,7 @@ mod summary;
 mod suspect;
 mod times;
 mod told;
+mod tried;
 mod truth;
 mod verdict;
 mod weight;

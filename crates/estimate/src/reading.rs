@@ -4,7 +4,7 @@ use crate::ekf::Localizer;
 use crate::error::Error;
 use crate::landmark::Landmark;
 use crate::landmarks::{Among, RangeBearing, RangeOnly, best};
-use crate::pose_sensors::{Compass, Fix, Speedometer};
+use crate::pose_sensors::{Antenna, Compass, Fix, Speedometer};
 use crate::scaled::{HasPose, Scaled};
 use filters::association::{Association, Candidate, Rule};
 use filters::{MeasurementModel, Update};
@@ -53,6 +53,17 @@ pub enum Reading {
         x: f64,
         /// m.
         y: f64,
+        /// W, m².
+        w: Matrix2<f64>,
+    },
+    /// The position of an antenna that does not stand where the robot's pose is.
+    Antenna {
+        /// m.
+        x: f64,
+        /// m.
+        y: f64,
+        /// How far ahead of the pose it stands, and how far to its left, m.
+        at: [f64; 2],
         /// W, m².
         w: Matrix2<f64>,
     },
@@ -125,6 +136,7 @@ impl<X: HasPose<N>, const N: usize> Localizer<X, N> {
                 self.sighted(landmark, &model, &y, &w, among(Rule::MaximumLikelihood))
             }
             Reading::Position { x, y, w } => self.within(gate, &Fix, None, &Vector2::new(x, y), &w),
+            Reading::Antenna { x, y, at, w } => self.within(gate, &Antenna { at }, None, &Vector2::new(x, y), &w),
             Reading::Speed { v, w } if self.filter.x.speed().is_some() => {
                 self.within(gate, &Speedometer, None, &Vector1::new(v), &Matrix1::new(w))
             }

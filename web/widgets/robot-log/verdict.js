@@ -1,6 +1,7 @@
 /** The verdict on a log in words: which fault the readings tell, how large it is, and what mends it. */
 
 import { fixed } from '../../draw/numbers.js'
+import { antennaSentence } from './antenna.js'
 import { DILUTED, odometrySentence, turnScaleSentence } from './driven.js'
 import { HIDDEN, bridged, cutsFirst } from './gaps.js'
 import { MIRRORED_BEARINGS, mirroredSentence } from './mirrored.js'
@@ -203,6 +204,7 @@ export function sentence(suspect, truth, log = null) {
   if (fault === 'displaced') return displaced(landmarks ?? [], sizes, log)
   if (fault === 'landmark-bias') return biased(landmarks ?? [], sizes, log)
   if (fault === 'turn-scale') return turnScaleSentence(sizes, log)
+  if (fault === 'antenna') return antennaSentence(sizes)
   if (fault === 'mirrored') return mirroredSentence(log)
   if (fault === 'mirrored-bearings') return MIRRORED_BEARINGS
   const [size, second] = sizes

@@ -41,6 +41,8 @@ pub(crate) struct Otherwise {
     pub clockwise: bool,
     /// By what share the distances of odometry and the turns of any motion are larger than they are read.
     pub driven: [f64; 2],
+    /// By how much the antenna stands farther ahead, and to the left, than is set, m.
+    pub antenna: [f64; 2],
     /// Two landmarks, by their places in the list, that are taken for one another.
     pub exchanged: Option<[usize; 2]>,
     /// A landmark, by its place in the list, whose ranges read so much too long, m.
@@ -131,6 +133,12 @@ impl Course {
             self.map = Some(map);
         }
         let (pose, [x, y, theta]) = (self.pose, otherwise.shift);
+        if otherwise.antenna != [0.0; 2] && drive.truth.poses().is_empty() {
+            // The start was taken from fixes, and they are of the antenna.
+            let [ahead, left] = otherwise.antenna;
+            let robot = pose.compose(SE2::new(-ahead, -left, 0.0));
+            return Self { pose: robot, otherwise, ..self };
+        }
         if otherwise.shift == [0.0; 3] {
             return Self { otherwise, ..self };
         }
@@ -157,6 +165,12 @@ impl Course {
             Some((biased, by)) if landmark == biased => range - by,
             _ => range,
         }
+    }
+
+    /// Where the antenna is taken to stand on the robot: ahead and to the left, m.
+    pub(crate) fn antenna(&self) -> [f64; 2] {
+        let ([ahead, left], more) = (self.settings.antenna, self.otherwise.antenna);
+        [ahead + more[0], left + more[1]]
     }
 
     /// What is taken otherwise than the settings say.

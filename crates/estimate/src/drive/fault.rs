@@ -15,6 +15,8 @@ pub enum Fault {
     Odometry,
     /// Turn rates read too much or too little by a share.
     TurnScale,
+    /// The antenna stands elsewhere on the robot than is set.
+    Antenna,
     /// Outliers: more readings lie far off than a normal distribution has.
     Tails,
     /// A standard deviation is claimed too small or too large.
@@ -43,6 +45,7 @@ impl Fault {
             Self::Scale => "scale",
             Self::Odometry => "odometry",
             Self::TurnScale => "turn-scale",
+            Self::Antenna => "antenna",
             Self::Tails => "tails",
             Self::Sigma => "sigma",
             Self::Turned => "turned",

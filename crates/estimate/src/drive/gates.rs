@@ -5,7 +5,7 @@ use crate::drive::fault::Fault;
 use crate::drive::round::Round;
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::settings::Settings;
-use crate::drive::suspect::Tried;
+use crate::drive::tried::Tried;
 use alloc::vec::Vec;
 
 /// A gate that refuses more than this share may hide a fault.

@@ -8,7 +8,7 @@ use super::opening_trust::{FIRST, Held, tells, trusted as trusted_of};
 use super::{Course, Drive, Event, Motion, Replay, Settings, Truth};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
-use geom::wrap;
+use geom::{SE2, wrap};
 use nalgebra::{Matrix3, Vector3};
 
 /// Where no motion tells the way, a second fix tells the heading once it is so many of its standard deviations away;
@@ -79,7 +79,7 @@ impl Drive {
         let (x, y, sigma) = core::iter::once(first).chain(fixes).find(known).unwrap_or(first);
         let by_chord = || {
             let (theta, off) = self.chord(settings).unwrap_or((0.0, PI));
-            ([x, y, theta], off)
+            (below(settings, [x, y, theta]), off)
         };
         let fixes = self.fitted(settings);
         let (pose, off) = fixes.unwrap_or_else(by_chord);
@@ -172,10 +172,17 @@ impl Drive {
     }
 }
 
+/// The robot's pose below an antenna, of which the heading is the robot's.
+fn below(settings: &Settings, [x, y, theta]: [f64; 3]) -> [f64; 3] {
+    let [ahead, left] = settings.antenna;
+    SE2::new(x, y, theta).compose(SE2::new(-ahead, -left, 0.0)).to_vector().into()
+}
+
 /// The start of a stretch of motion and fixes, and the σ of its heading.
 fn fit(stretch: &Drive, settings: &Settings) -> Option<([f64; 3], f64)> {
     let pairs = pairs(stretch, settings)?;
-    let (mut pose, rough) = turned(&pairs)?;
+    let (antenna, rough) = turned(&pairs)?;
+    let mut pose = Vector3::from(below(settings, antenna.into()));
     let sigma = pairs.iter().map(|pair| pair.sigma).fold(f64::INFINITY, f64::min);
     let small = sigma * KNOWN;
     let told = |pose: Vector3<f64>| likelihood(stretch, settings, pose, small);
@@ -242,7 +249,8 @@ fn turned(pairs: &[Held]) -> Option<(Vector3<f64>, f64)> {
 fn likelihood(stretch: &Drive, settings: &Settings, pose: Vector3<f64>, small: f64) -> Option<(f64, f64)> {
     let start = Some([pose[0], pose[1], pose[2]]);
     let Settings { sigma_distance, sigma_turn, sigma_fix, fix_sigma_scale, .. } = *settings;
-    let usual = Settings { sigma_distance, sigma_turn, sigma_fix, fix_sigma_scale, ..Settings::default() };
+    let Settings { antenna, .. } = *settings;
+    let usual = Settings { sigma_distance, sigma_turn, sigma_fix, fix_sigma_scale, antenna, ..Settings::default() };
     // Scale of the speed and bias of the turn rate are not known here: they may be what their states begin with.
     let held = stretch.motion == Motion::Velocity;
     let usual = Settings { learn_speed: held, learn_bias: held, ..usual };

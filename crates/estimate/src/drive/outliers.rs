@@ -8,7 +8,8 @@ use crate::drive::evidence::{OUTLIERS, Trial};
 use crate::drive::fitted::Fitted;
 use crate::drive::freed::{Freed, Search};
 use crate::drive::sensor::Sensor;
-use crate::drive::suspect::{Size, Tried};
+use crate::drive::suspect::Size;
+use crate::drive::tried::Tried;
 
 /// Readings of which this share would be outliers have none: the model is wrong.
 const MANY: f64 = 0.5;

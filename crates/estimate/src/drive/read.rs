@@ -13,7 +13,11 @@ pub(crate) fn reading(course: &Course, event: &Event) -> Option<Reading> {
     Some(match *event {
         Event::Position { x, y, sigma } => {
             let sigma = s.of_fix(sigma);
-            Reading::Position { x, y, w: Matrix2::identity() * (sigma * sigma) }
+            let w = Matrix2::identity() * (sigma * sigma);
+            match course.antenna() {
+                [0.0, 0.0] => Reading::Position { x, y, w },
+                at => Reading::Antenna { x, y, at, w },
+            }
         }
         Event::Heading { theta, sigma } => {
             let sigma = s.of_heading(sigma);

@@ -208,7 +208,9 @@ impl Replay {
         match (course.fate(step, &mut last), step.event) {
             (Some(Fate::LookedAt), _) => {}
             (Some(Fate::Withheld), Event::Position { x, y, .. }) => {
-                let distance = hypot(self.pose().x() - x, self.pose().y() - y);
+                let [ahead, left] = course.antenna();
+                let antenna = self.pose().compose(SE2::new(ahead, left, 0.0));
+                let distance = hypot(antenna.x() - x, antenna.y() - y);
                 self.withheld.take(distance);
                 return Ok(Taken { withheld: Some(distance), ..taken });
             }

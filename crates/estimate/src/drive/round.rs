@@ -9,7 +9,8 @@ use crate::drive::fitted::Fitted;
 use crate::drive::freed::{Freed, Numbers, ROUNDS, ROUNDS_OF_A_FACTOR, Search};
 use crate::drive::outliers::{sigma_of, tails};
 use crate::drive::row::Drive;
-use crate::drive::suspect::{Size, Standing, Suspect, Tried};
+use crate::drive::suspect::{Size, Standing, Suspect};
+use crate::drive::tried::Tried;
 use crate::error::Error;
 use alloc::vec::Vec;
 
@@ -127,6 +128,10 @@ impl Round {
                 (None, Tried::Displaced) => {
                     let stands = landmarks.first().and_then(|at| drive.landmarks.get(*at));
                     let now = stands.map_or(0.0, |landmark| if i == 0 { landmark.x } else { landmark.y });
+                    Size { now, value: now + at, sigma, end }
+                }
+                (None, Tried::Antenna) => {
+                    let now = self.place.settings.antenna[i];
                     Size { now, value: now + at, sigma, end }
                 }
                 (None, Tried::Start) => Size { now: begin[i], value: begin[i] + at, sigma, end },

@@ -10,6 +10,9 @@ use alloc::format;
 /// The longest delay of a sensor either way, s.
 pub const MAX_DELAY: f64 = 10.0;
 
+/// The farthest that an antenna may stand from the point about which the robot turns, either way, m.
+pub const MAX_ARM: f64 = 100.0;
+
 /// How late each sensor's rows are: one stamped t was measured at t less the delay. Seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Delays {
@@ -62,6 +65,8 @@ pub struct Settings {
     pub bearing_offset: f64,
     /// What a compass reads of a robot that heads along the axis of x, rad.
     pub heading_offset: f64,
+    /// Where the antenna stands whose position a fix is: so far ahead of the robot's pose, and to its left, m.
+    pub antenna: [f64; 2],
     /// Whether ε is a state, which starts at 0 with the standard deviation 0.1 and gets no process noise.
     pub learn: bool,
     /// Whether sightings correct the estimate.
@@ -104,6 +109,7 @@ impl Default for Settings {
             offset: 0.0,
             bearing_offset: 0.0,
             heading_offset: 0.0,
+            antenna: [0.0; 2],
             learn: false,
             sightings: true,
             fixes: true,
@@ -164,6 +170,9 @@ impl Settings {
             limit(finite(scale, name)? > -1.0, name, "is -1 or less; what is read would not grow with what is true")?;
         }
         finite(self.turn_bias, "turnBias")?;
+        for (name, arm) in [("antennaAhead", self.antenna[0]), ("antennaLeft", self.antenna[1])] {
+            limit(finite(arm, name)?.abs() <= MAX_ARM, name, "is beyond 100 m either way")?;
+        }
         for number in self.start.into_iter().flatten() {
             finite(number, "start")?;
         }

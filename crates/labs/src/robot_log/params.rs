@@ -42,6 +42,10 @@ params! {
         pub bearing_offset: f64 = 0.0, from (-10.0) to 10.0 by 0.01 in "rad";
         /// What a compass reads of a robot that heads along the axis of x: radians.
         pub heading_offset: f64 = 0.0, from (-10.0) to 10.0 by 0.01 in "rad";
+        /// How far ahead of the point about which the robot turns the antenna of the fixes stands: metres.
+        pub antenna_ahead: f64 = 0.0, from (-100.0) to 100.0 by 0.05 in "m";
+        /// How far to its left.
+        pub antenna_left: f64 = 0.0, from (-100.0) to 100.0 by 0.05 in "m";
         /// Whether ε is a state of the filter.
         pub learn: bool = false;
         /// Whether sightings correct the estimate.
@@ -106,6 +110,7 @@ impl From<LogParams> for Settings {
             offset,
             bearing_offset,
             heading_offset,
+            antenna: [params.antenna_ahead, params.antenna_left],
             learn,
             sightings,
             fixes,

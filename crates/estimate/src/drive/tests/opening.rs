@@ -140,3 +140,24 @@ fn a_robot_that_stands_and_turns_later_has_a_heading_by_its_later_way() {
     let found = opened(&rows).expect("fixes");
     assert!((found.pose[2] - FRAC_PI_2).abs() < 3.0 * found.sigma_heading && found.sigma_heading < 0.4, "{found:?}");
 }
+
+/// The arm is turned here by the heading without its drift, which puts a fix off by less than its noise does.
+#[test]
+fn the_start_is_the_robot_s_and_not_that_of_its_antenna() {
+    let (theta, omega) = (0.7, 0.3);
+    let mut rows = arc(theta, [1.0, omega], &mut 11);
+    for (time, event) in &mut rows {
+        if let Event::Position { x, y, .. } = event {
+            let (sin, cos) = (theta + omega * *time).sin_cos();
+            (*x, *y) = (*x + 3.0 * cos + sin, *y + 3.0 * sin - cos);
+        }
+    }
+    let settings = Settings { antenna: [3.0, -1.0], ..Settings::default() };
+    let found = drive(Motion::Velocity, &[], &rows).opening(&settings).expect("fixes");
+    let off = [found.pose[0] - 2.0, found.pose[1] + 3.0, geom::wrap(found.pose[2] - theta)];
+    assert!(off[0].hypot(off[1]) < 1.5 && off[2].abs() < 3.0 * found.sigma_heading, "{found:?}");
+    // Where no motion tells the way, the chord's heading does.
+    let still = [(0.0, fix(3.0, 4.0, None)), (1.0, fix(3.5, 4.0, None))];
+    let alone = drive(Motion::Velocity, &[], &still).opening(&settings).expect("a fix");
+    assert_eq!(alone.pose, [0.0, 5.0, 0.0]);
+}

@@ -1,0 +1,39 @@
+// An antenna that does not stand where the robot's pose is: what is said of it, what the press sets, and what comes
+// of a start that the fixes have told.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { mendBefore } from '../../web/page/log-fit-words.js'
+import { remedy } from '../../web/page/log-remedy.js'
+import { startBelow } from '../../web/widgets/robot-log/antenna.js'
+import { sentence } from '../../web/widgets/robot-log/verdict.js'
+import { judgement, suspect } from './verdicts.mjs'
+
+const size = (/** @type {number} */ value, /** @type {number} */ sigma) => ({ now: 0, value, sigma, end: false })
+const antenna = (/** @type {any[]} */ ...sizes) => suspect({ fault: 'antenna', name: null, sizes })
+const params = /** @type {any} */ ({ start: [10, 20, Math.PI / 2], antennaAhead: 0, antennaLeft: 0 })
+
+test('it is said where the antenna stands, and set there', () => {
+  const one = antenna(size(0.5234, 0.0123), size(-0.0312, 0.0141))
+  assert.equal(
+    sentence(one, false),
+    'The antenna whose positions these are stands 0.523 ± 0.012 m ahead of the point about which the robot turns, ' +
+      'and 0.031 ± 0.014 m to its right: set its place so.',
+  )
+  assert.match(sentence(antenna(size(-1.2, 0.1), size(0.4, 0.1)), false), / behind the point .* to its left: set/)
+  const { press, patch } = /** @type {any} */ (remedy(one, params, false))
+  assert.deepEqual([press, patch.antennaAhead, patch.antennaLeft], ['Set its place so', 0.523, -0.031])
+  assert.match(mendBefore(judgement([one])), /^The verdict names another place of the antenna, which Fit does not look/)
+})
+
+test('a start that was taken from fixes goes below the antenna, and a true one stays', () => {
+  const one = antenna(size(0.5, 0.01), size(0.2, 0.01))
+  const { patch } = /** @type {any} */ (remedy(one, params, false))
+  const [x, y, theta] = patch.start
+  assert.ok(Math.abs(x - 10.2) < 1e-12 && Math.abs(y - 19.5) < 1e-12 && theta === Math.PI / 2, `${patch.start}`)
+  assert.equal('start' in /** @type {any} */ (remedy(one, params, true)).patch, false)
+  assert.equal('start' in /** @type {any} */ (remedy(one, { ...params, start: null }, false)).patch, false)
+  // What is set already is no change.
+  const set = { ...params, antennaAhead: 0.5, antennaLeft: 0.2 }
+  assert.deepEqual(startBelow(set, { antennaAhead: 0.5 }), params.start)
+  assert.ok(Math.abs(startBelow(set, { antennaAhead: 0 })[1] - 20.5) < 1e-12)
+})
