@@ -44,3 +44,21 @@ fn an_antenna_that_stands_elsewhere_is_named_with_its_place() {
         assert!((left.sizes[0].now - mended.settings.antenna[0]).abs() < 1e-12);
     }
 }
+
+/// An antenna that stands ahead looks early, and a late one behind: each by itself hides the other.
+#[test]
+fn an_antenna_that_stands_elsewhere_and_is_late_is_named_with_both() {
+    for (n, at) in [[5.0, 1.0], [-4.0, 0.0]].into_iter().enumerate() {
+        let mut log = mounted("car", 20 + n as u64, at);
+        for row in &mut log.drive.rows {
+            row.time += if row.event.is_motion() { 0.0 } else { 0.5 };
+        }
+        log.drive.rows.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.line.cmp(&b.line)));
+        let judgement = judged(&log).expect("a verdict");
+        let first = &judgement.suspects[0];
+        let [ahead, left, late] = first.sizes[..] else { panic!("three numbers: {first:?}") };
+        for (size, wanted) in [(ahead, at[0]), (left, at[1]), (late, 0.5)] {
+            assert!((size.value - wanted).abs() < 3.0 * size.sigma, "{size:?} {wanted}");
+        }
+    }
+}

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict'
 import { mendBefore } from '../../web/page/log-fit-words.js'
 import { remedy } from '../../web/page/log-remedy.js'
 import { startBelow } from '../../web/widgets/robot-log/antenna.js'
-import { sentence } from '../../web/widgets/robot-log/verdict.js'
+import { ranked, sentence } from '../../web/widgets/robot-log/verdict.js'
 import { judgement, suspect } from './verdicts.mjs'
 
 const size = (/** @type {number} */ value, /** @type {number} */ sigma) => ({ now: 0, value, sigma, end: false })
@@ -23,6 +23,20 @@ test('it is said where the antenna stands, and set there', () => {
   const { press, patch } = /** @type {any} */ (remedy(one, params, false))
   assert.deepEqual([press, patch.antennaAhead, patch.antennaLeft], ['Set its place so', 0.523, -0.031])
   assert.match(mendBefore(judgement([one])), /^The verdict names another place of the antenna, which Fit does not look/)
+})
+
+test('what the model may have as its own is said, and a delay is set with the place', () => {
+  const [ahead, left] = [size(0.5234, 0.0123), size(0.0312, 0.0141)]
+  const said = (/** @type {any[]} */ ...sizes) =>
+    ranked(judgement([antenna(...sizes)], { pace: 0.8, ownDelay: 0.1 }), { rows: 1000, truth: false })
+  assert.match(
+    said(ahead, left),
+    / Up to 0\.08 m of it ahead may be the motion model’s own, the way of a step\. The log-l/,
+  )
+  const late = { ...size(0.35, 0.02), now: 0.1, value: 0.45 }
+  assert.match(said(ahead, left, late), / to its left, and these come 0\.350 ± 0\.020 s late: .* delay to 0\.450 s\./)
+  const { patch } = /** @type {any} */ (remedy(antenna(ahead, left, late), params, true))
+  assert.deepEqual(patch, { antennaAhead: 0.523, antennaLeft: 0.031, delayFix: 0.45 })
 })
 
 test('a start that was taken from fixes goes below the antenna, and a true one stays', () => {

@@ -122,8 +122,8 @@ export function remedy(suspect, params, truth, log = null) {
     return { press: 'Set the start so', patch: { start } }
   }
   if (fault === 'antenna') {
-    const [antennaAhead, antennaLeft] = sizes.map((size) => said(size))
-    const patch = { antennaAhead, antennaLeft }
+    const [antennaAhead, antennaLeft, delayFix] = sizes.map((size) => said(size))
+    const patch = { antennaAhead, antennaLeft, ...(sizes.length > 2 ? { delayFix } : {}) }
     const start = truth || !params.start ? {} : { start: startBelow(params, patch) }
     return { press: 'Set its place so', patch: { ...patch, ...start } }
   }

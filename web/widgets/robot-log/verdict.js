@@ -1,7 +1,7 @@
 /** The verdict on a log in words: which fault the readings tell, how large it is, and what mends it. */
 
 import { fixed } from '../../draw/numbers.js'
-import { antennaSentence } from './antenna.js'
+import { antennaSentence, armOfAStep } from './antenna.js'
 import { DILUTED, odometrySentence, turnScaleSentence } from './driven.js'
 import { HIDDEN, bridged, cutsFirst } from './gaps.js'
 import { MIRRORED_BEARINGS, mirroredSentence } from './mirrored.js'
@@ -123,7 +123,8 @@ function model(suspect, judgement) {
  * of a turned camera.
  * @param {Suspect} suspect @param {LogJudgement} judgement
  */
-function inPart({ fault, own, name, sizes: [size] }, { period, ownDelay, halfTurn }) {
+function inPart({ fault, own, name, sizes: [size] }, { period, ownDelay, halfTurn, pace }) {
+  if (fault === 'antenna') return armOfAStep({ pace, ownDelay })
   if (name === 'bearingOffset' && size.sigma !== null && Math.abs(halfTurn) > size.sigma / 2)
     return `${fixed(halfTurn * DEGREES, 2)}° of that may be the motion model’s own, half of the turn of a step.`
   if (fault !== 'clock') return own ? DILUTED : ''

@@ -87,7 +87,9 @@ pub(crate) fn turning(drive: &Drive, round: &Round, scope: &Scope) -> Option<f64
         Evidence::new(drive, &place, scope.rows).ok()
     };
     // A turn rate that comes half a step early is what a turn on the way looks like.
-    let others = |(suspect, _): &&(Suspect, Trial)| suspect.number != Some(Fitted::DelayTurn);
+    let others = |(suspect, _): &&(Suspect, Trial)| {
+        suspect.number != Some(Fitted::DelayTurn) && !suspect.is_small_arm(scope.arm)
+    };
     let (chance, found) = (scope.chance[0], || round.found.iter().filter(others));
     let alone = with(&round.place, true)?.gain(round.base.as_ref()?, 0);
     if alone > found().map(|(suspect, _)| suspect.gain).fold(chance, f64::max) {
@@ -116,7 +118,7 @@ pub(crate) fn for_the_filter(drive: &Drive, round: &mut Round, own: &[Suspect], 
     }
     let base = Evidence::new(drive, &as_mended(&round.place, own), scope.rows)?;
     for (suspect, place) in round.found.iter_mut().filter(|(suspect, _)| suspect.excess > 0.0) {
-        let from = if suspect.fault == Fault::Clock { scope.from } else { 0 };
+        let from = if suspect.tried().delays() { scope.from } else { 0 };
         let used = Evidence::new(drive, &as_mended(place, own), scope.rows);
         let less = used.map_or(suspect.gain, |used| (suspect.gain - used.gain(&base, from)).max(0.0));
         (suspect.gain, suspect.excess) = (suspect.gain - less, suspect.excess - less);

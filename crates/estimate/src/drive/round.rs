@@ -9,6 +9,7 @@ use crate::drive::fitted::Fitted;
 use crate::drive::freed::{Freed, Numbers, ROUNDS, ROUNDS_OF_A_FACTOR, Search};
 use crate::drive::outliers::{sigma_of, tails};
 use crate::drive::row::Drive;
+use crate::drive::settings::Settings;
 use crate::drive::suspect::{Size, Standing, Suspect};
 use crate::drive::tried::Tried;
 use crate::error::Error;
@@ -29,6 +30,8 @@ pub(crate) struct Scope {
     pub most: f64,
     /// Motion is read about so often, s.
     pub period: f64,
+    /// So far ahead of the robot an antenna seems to stand where what is read is held until the next row, m.
+    pub arm: f64,
 }
 
 /// Suspects, and the replay beside which each is freed.
@@ -64,7 +67,7 @@ impl Round {
     }
 
     fn look(&self, drive: &Drive, scope: &Scope, base: &Evidence, tried: Tried) -> (Suspect, Trial) {
-        let clock = tried.fault() == Fault::Clock;
+        let clock = tried.delays();
         let search = Search { drive, rows: scope.rows, from: if clock { scope.from } else { 0 }, base };
         let first = tried.first(&self.place);
         let place = |at: &[f64]| tried.place(&self.place, at);
@@ -130,8 +133,9 @@ impl Round {
                     let now = stands.map_or(0.0, |landmark| if i == 0 { landmark.x } else { landmark.y });
                     Size { now, value: now + at, sigma, end }
                 }
-                (None, Tried::Antenna) => {
-                    let now = self.place.settings.antenna[i];
+                (None, Tried::Antenna(_)) => {
+                    let Settings { antenna: [ahead, left], delays, .. } = self.place.settings;
+                    let now = [ahead, left, delays.fix][i];
                     Size { now, value: now + at, sigma, end }
                 }
                 (None, Tried::Start) => Size { now: begin[i], value: begin[i] + at, sigma, end },
@@ -172,6 +176,9 @@ impl Round {
             mended: None,
         };
         suspect.weigh();
+        if suspect.is_small_arm(scope.arm) {
+            suspect.excess = suspect.excess.min(0.0);
+        }
         (suspect, mended.unwrap_or_else(|| place(&freed.at)))
     }
 }

@@ -48,7 +48,8 @@ pub struct Suspect {
     /// The numbers; of the start x, y and θ in m, m and rad; of a landmark x and y in m, or by how much its ranges
     /// are too long; of outliers their share, and σ where that is another one behind the gate; of
     /// odometry the shares by which distances and, where it turns, turns are larger than they are read; of turn rates
-    /// that share; of an antenna how far ahead of the robot's centre and how far to its left it stands, m.
+    /// that share; of an antenna how far ahead of the robot's centre and how far to its left it stands, m, and
+    /// the delay of the fixes where that is off as well, s.
     pub sizes: Vec<Size>,
     /// The least of the standard deviations that readings bring, their median and the greatest: of a factor on them.
     pub claims: Option<[f64; 3]>,
@@ -75,7 +76,7 @@ impl Suspect {
             (Fault::Mirrored, ..) => Tried::Mirrored,
             (Fault::MirroredBearings, ..) => Tried::MirroredBearings,
             (Fault::TurnScale, ..) => Tried::TurnScale,
-            (Fault::Antenna, ..) => Tried::Antenna,
+            (Fault::Antenna, ..) => Tried::Antenna(self.sizes.len()),
             (Fault::Exchanged, ..) => Tried::Exchanged,
             (Fault::Displaced, ..) => Tried::Displaced,
             (Fault::LandmarkBias, ..) => Tried::LandmarkBias,

@@ -23,8 +23,8 @@ pub(crate) enum Tried {
     Odometry(usize),
     /// The turn rates of motion that is held.
     TurnScale,
-    /// Where on the robot the antenna stands whose position fixes are.
-    Antenna,
+    /// Where on the robot the antenna stands whose position fixes are, alone or with their delay: how many numbers.
+    Antenna(usize),
     Mirrored,
     MirroredBearings,
     Exchanged,
@@ -77,7 +77,8 @@ impl Tried {
             (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
             (Self::TurnScale, turning && drive.motion == Motion::Velocity),
             // Straight on it looks like a delay.
-            (Self::Antenna, turning && has.fix && s.fixes),
+            (Self::Antenna(2), turning && has.fix && s.fixes),
+            (Self::Antenna(3), turning && has.fix && s.fixes),
             (Self::Mirrored, turning),
             (Self::MirroredBearings, s.sightings && has.bearing),
             (Self::Exchanged, landmarks),
@@ -99,7 +100,7 @@ impl Tried {
             Self::Number(Fitted::BearingOffset | Fitted::HeadingOffset) => Fault::Turned,
             Self::Odometry(_) => Fault::Odometry,
             Self::TurnScale => Fault::TurnScale,
-            Self::Antenna => Fault::Antenna,
+            Self::Antenna(_) => Fault::Antenna,
             Self::Mirrored => Fault::Mirrored,
             Self::MirroredBearings => Fault::MirroredBearings,
             Self::Exchanged => Fault::Exchanged,
@@ -117,12 +118,17 @@ impl Tried {
             || self.numbers().iter().any(|number| number.claimed_by().is_some())
     }
 
+    /// Whether readings come at other times: they are in another order, and not all replays have the same ones.
+    pub fn delays(self) -> bool {
+        self.fault() == Fault::Clock || self == Self::Antenna(3)
+    }
+
     /// How many numbers are freed.
     pub fn freedom(self) -> usize {
         match self {
             Self::Start => 3,
-            Self::Ruler | Self::Displaced | Self::Antenna => 2,
-            Self::Odometry(count) => count,
+            Self::Ruler | Self::Displaced => 2,
+            Self::Odometry(count) | Self::Antenna(count) => count,
             Self::Number(_) | Self::Outliers(_) | Self::Together(_) | Self::TurnScale | Self::LandmarkBias => 1,
             Self::Mirrored | Self::MirroredBearings | Self::Exchanged => 0,
         }
@@ -142,8 +148,8 @@ impl Tried {
     pub fn first(self, place: &Trial) -> Vec<f64> {
         match self {
             Self::Start => return alloc::vec![0.0; 3],
-            // By how much it stands elsewhere than is set.
-            Self::Antenna => return alloc::vec![0.0; 2],
+            // By how much it stands elsewhere, and is later, than is set.
+            Self::Antenna(count) => return alloc::vec![0.0; count],
             Self::Odometry(count) => return alloc::vec![0.0; count],
             // By how much all of them are later than they are set.
             Self::Together(_) | Self::TurnScale => return alloc::vec![0.0],
@@ -161,7 +167,10 @@ impl Tried {
                 *place.settings.gate.of_mut(sensor) = Some(crate::drive::evidence::OUTLIER_GATE);
             }
             (Self::TurnScale, &[share]) => place.otherwise.driven[1] = share,
-            (Self::Antenna, &[ahead, left]) => place.otherwise.antenna = [ahead, left],
+            (Self::Antenna(_), &[ahead, left, ref later @ ..]) => {
+                place.otherwise.antenna = [ahead, left];
+                place.settings.delays.fix += later.first().unwrap_or(&0.0);
+            }
             (Self::Mirrored, _) => place.otherwise.mirrored = true,
             (Self::MirroredBearings, _) => place.otherwise.clockwise = true,
             (Self::Odometry(_), at) => place.otherwise.driven.iter_mut().zip(at).for_each(|(is, at)| *is = *at),
@@ -184,10 +193,11 @@ impl Tried {
         if matches!(self, Self::Odometry(_) | Self::TurnScale) {
             return alloc::vec![SHARE; self.freedom()];
         }
-        if self == Self::Antenna {
-            return alloc::vec![ARM; 2];
+        let late = DELAY.max(PERIODS * period);
+        if let Self::Antenna(count) = self {
+            return [ARM, ARM, late][..count].to_vec();
         }
-        let step = |number: &Fitted| if number.is_delay() { DELAY.max(PERIODS * period) } else { number.fine() };
+        let step = |number: &Fitted| if number.is_delay() { late } else { number.fine() };
         self.numbers().iter().take(self.freedom()).map(step).collect()
     }
 
@@ -208,7 +218,9 @@ impl Tried {
         }
         match self {
             Self::Together(_) => return alloc::vec![[-most, most]],
-            Self::Antenna => return alloc::vec![[-MAX_ARM, MAX_ARM]; 2],
+            Self::Antenna(count) => {
+                return [[-MAX_ARM, MAX_ARM], [-MAX_ARM, MAX_ARM], [-most, most]][..count].to_vec();
+            }
             Self::Odometry(_) | Self::TurnScale => return alloc::vec![SHARES; self.freedom()],
             _ => {}
         }

@@ -24,10 +24,10 @@ use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::gaps::{Gaps, gaps_and_end};
 use crate::drive::gates::Gates;
 use crate::drive::judgement::{
-    Judgement, as_mended, for_the_filter, is_own, may_be_own, own_delay, period, refuted, stairs, turning,
+    Judgement, as_mended, for_the_filter, is_own, may_be_own, own_delay, refuted, stairs, turning,
 };
 use crate::drive::noise::{Noise, noise};
-use crate::drive::pace::{half_turn, pace};
+use crate::drive::pace::Paced;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::{Drive, Motion};
 use crate::drive::settings::Settings;
@@ -83,10 +83,8 @@ pub struct Verdict {
     /// Delays that are the motion model's own, and how many suspects were tried before they were set apart.
     own: Vec<Suspect>,
     before: u32,
-    period: f64,
     motion: Motion,
-    pace: f64,
-    half_turn: f64,
+    paced: Paced,
     gaps: Vec<Gaps>,
     other: bool,
     noise: Noise,
@@ -117,6 +115,7 @@ impl Verdict {
         let duration = judged.last().map_or(0.0, |row| row.time) - judged.first().map_or(0.0, |row| row.time);
         let most = most_delay(duration);
         let settled = course.start() + most + SETTLED;
+        let paced = Paced::new(drive, &settings);
         let moves = judged.iter().filter(|row| row.event.is_motion()).count();
         let share = CHANCE / tried.len() as f64;
         let chance = |freedom: u32| chi2_quantile(freedom, 1.0 - share).map(|quantile| 0.5 * quantile);
@@ -128,6 +127,7 @@ impl Verdict {
             from: judged.partition_point(|row| row.time < settled) as u32,
             most,
             period: duration / moves.max(1) as f64,
+            arm: paced.pace * paced.own_delay,
         };
         let first = Round::new(Trial { settings, otherwise: Otherwise::default() }, tried);
         Ok(Self {
@@ -143,10 +143,8 @@ impl Verdict {
             arcs: None,
             own: Vec::new(),
             before: 0,
-            period: period(judged),
             motion: drive.motion,
-            pace: pace(drive, &settings),
-            half_turn: half_turn(drive),
+            paced,
             gaps: gaps_and_end(&drive.rows, drive.motion).into_iter().filter(|it| it.longest[0] < duration).collect(),
             other: false,
             noise: Noise::default(),
@@ -219,7 +217,7 @@ impl Verdict {
         let Some((own, place)) = self.first.found.iter().find(|(suspect, _)| likely(suspect)) else {
             return false;
         };
-        if !is_own(drive, own, &self.first, &self.scope, own_delay(self.motion, true, self.period)) {
+        if !is_own(drive, own, &self.first, &self.scope, own_delay(self.motion, true, self.paced.period)) {
             return false;
         }
         let tried: Vec<Tried> = self.first.tried.iter().copied().filter(|tried| *tried != own.tried()).collect();
@@ -230,7 +228,7 @@ impl Verdict {
     }
 
     fn own_delay(&self) -> f64 {
-        own_delay(self.motion, self.arcs.is_some(), self.period)
+        own_delay(self.motion, self.arcs.is_some(), self.paced.period)
     }
 
     /// Says how sure each suspect is, and holds the first against the truth.
@@ -288,10 +286,10 @@ impl Verdict {
             ungated: matches!(self.gates, Gates::Off(_)),
             beside: self.hoisted,
             arcs: self.arcs,
-            period: self.period,
+            period: self.paced.period,
             own_delay: self.own_delay(),
-            pace: self.pace,
-            half_turn: if self.arcs.is_none() { self.half_turn } else { 0.0 },
+            pace: self.paced.pace,
+            half_turn: if self.arcs.is_none() { self.paced.half_turn } else { 0.0 },
             noise: self.noise,
             gaps: self.gaps.clone(),
             other: self.other,

@@ -38,6 +38,18 @@ impl Suspect {
     }
 }
 
+/// A small arm is at most so many times as long as the way of a step, beside what is uncertain of it.
+const SMALL: f64 = 1.3;
+
+impl Suspect {
+    /// Whether it is an antenna that seems to stand elsewhere by no more than what is held until the next row does.
+    pub(crate) fn is_small_arm(&self, arm: f64) -> bool {
+        let [ahead, left, ..] = self.sizes.as_slice() else { return false };
+        let off = (ahead.value - ahead.now).abs();
+        self.fault == Fault::Antenna && off <= (arm + 2.0 * ahead.sigma).min(SMALL * arm) && !left.is_clear(false)
+    }
+}
+
 /// The likeliest fault first; of those whose gains tie, the earlier kind.
 pub(crate) fn ranked(mut left: Vec<(Suspect, Trial)>) -> Vec<(Suspect, Trial)> {
     let mut all = Vec::with_capacity(left.len());
@@ -52,18 +64,33 @@ pub(crate) fn ranked(mut left: Vec<(Suspect, Trial)>) -> Vec<(Suspect, Trial)> {
     all
 }
 
-/// Leaves of the ranges' scale and offset both together where neither explains as much by itself, to within what a
-/// number gains by chance; else those by themselves.
+/// Leaves of the ranges' scale and offset, and of an antenna's place and its delay, both together where neither
+/// explains as much by itself, to within what a number gains by chance; else those by themselves.
 pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, chance: f64) {
-    let gain = |tried: &dyn Fn(&Suspect) -> bool| {
-        let gains = found.iter().filter(|(suspect, _)| tried(suspect)).map(|(suspect, _)| suspect.gain);
+    let pair = |it: &Suspect| it.with.is_some() && it.fault == Fault::Scale;
+    let alone = |it: &Suspect| it.with.is_none() && matches!(it.number, Some(Fitted::Scale | Fitted::Offset));
+    together(found, chance, pair, alone);
+    // One that stands no farther off than what is held explains is a delay.
+    let late = |it: &Suspect| it.fault == Fault::Antenna && it.sizes.len() > 2;
+    let placed = |it: &Suspect| it.fault == Fault::Antenna && it.sizes.len() == 2;
+    let delayed = |it: &Suspect| it.number == Some(Fitted::DelayFix) && it.with.is_none();
+    found.retain(|(it, _)| !late(it) || it.excess > 0.0);
+    together(found, chance, late, |it| placed(it) || delayed(it));
+}
+
+/// Leaves what is `both` where it gains more than any `alone` does, by more than chance; else those.
+fn together(
+    found: &mut Vec<(Suspect, Trial)>,
+    chance: f64,
+    both: impl Fn(&Suspect) -> bool,
+    alone: impl Fn(&Suspect) -> bool,
+) {
+    let most = |of: &dyn Fn(&Suspect) -> bool| {
+        let gains = found.iter().filter(|(it, _)| of(it)).map(|(it, _)| it.gain);
         gains.fold(f64::NEG_INFINITY, f64::max)
     };
-    let alone =
-        |suspect: &Suspect| suspect.with.is_none() && matches!(suspect.number, Some(Fitted::Scale | Fitted::Offset));
-    let pair = |suspect: &Suspect| suspect.with.is_some() && suspect.fault == Fault::Scale;
-    let both = gain(&pair) > gain(&alone).max(0.0) + chance;
-    found.retain(|(suspect, _)| if both { !alone(suspect) } else { !pair(suspect) });
+    let more = most(&both) > most(&alone).max(0.0) + chance;
+    found.retain(|(it, _)| if more { !alone(it) } else { !both(it) });
 }
 
 /// Says how sure each suspect is; `hoisted` where the first are counted beside a larger σ.
