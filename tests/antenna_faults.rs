@@ -1,7 +1,7 @@
 //! Verdicts on logs whose fixes are of an antenna that does not stand where the robot's pose is. Natively only.
 
 use chapter_tests::planted::{Log, WORLDS, judged};
-use estimate::drive::{Event, Fault, Pose, Standing};
+use estimate::drive::{Event, Fault, Fitted, Pose, Standing};
 
 /// A sound log of a world, whose fixes are then of an antenna so far ahead and to the left. Where the log has no truth
 /// of its own, the one that the fixes are moved by is thrown away again.
@@ -45,19 +45,29 @@ fn an_antenna_that_stands_elsewhere_is_named_with_its_place() {
     }
 }
 
-/// An antenna that stands ahead looks early, and a late one behind: each by itself hides the other.
+/// An antenna that stands ahead looks early, and a late one behind: what is named first may be either, and the next
+/// verdicts lead on to both.
 #[test]
-fn an_antenna_that_stands_elsewhere_and_is_late_is_named_with_both() {
+fn an_antenna_that_stands_elsewhere_and_is_late_is_found_with_both() {
     for (n, at) in [[5.0, 1.0], [-4.0, 0.0]].into_iter().enumerate() {
         let mut log = mounted("car", 20 + n as u64, at);
         for row in &mut log.drive.rows {
             row.time += if row.event.is_motion() { 0.0 } else { 0.5 };
         }
         log.drive.rows.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.line.cmp(&b.line)));
-        let judgement = judged(&log).expect("a verdict");
-        let first = &judgement.suspects[0];
-        let [ahead, left, late] = first.sizes[..] else { panic!("three numbers: {first:?}") };
-        for (size, wanted) in [(ahead, at[0]), (left, at[1]), (late, 0.5)] {
+        let mut presses = 0;
+        let sizes = loop {
+            let first = judged(&log).expect("a verdict").suspects.remove(0);
+            presses += 1;
+            assert!(presses < 4, "{at:?}: {first:?}");
+            match (first.fault, first.number, &first.sizes[..]) {
+                (Fault::Antenna, _, [ahead, left, late]) => break [*ahead, *left, *late],
+                (Fault::Antenna, _, [ahead, left]) => log.settings.antenna = [ahead.value, left.value],
+                (Fault::Clock, Some(Fitted::DelayFix), [late]) => log.settings.delays.fix = late.value,
+                _ => panic!("{at:?}: {first:?}"),
+            }
+        };
+        for (size, wanted) in sizes.into_iter().zip([at[0], at[1], 0.5]) {
             assert!((size.value - wanted).abs() < 3.0 * size.sigma, "{size:?} {wanted}");
         }
     }

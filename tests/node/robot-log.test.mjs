@@ -150,6 +150,8 @@ test('the defaults are those of the documentation', () => {
       offset: 0,
       bearingOffset: 0,
       headingOffset: 0,
+      antennaAhead: 0,
+      antennaLeft: 0,
       learn: false,
       sightings: true,
       fixes: true,

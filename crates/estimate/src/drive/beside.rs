@@ -11,7 +11,7 @@ use crate::drive::fitted::Fitted;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
 use crate::drive::suspect::Suspect;
-use crate::drive::weight::{CLEAR, ranked, sifted};
+use crate::drive::weight::{CLEAR, most, ranked, sifted};
 use crate::error::Error;
 use alloc::vec::Vec;
 
@@ -45,7 +45,10 @@ fn beside(round: &Round) -> Option<(&Suspect, Vec<(usize, &Suspect)>)> {
     let (first, _) = round.found.first()?;
     let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
     let of_fixes = first.number == Some(Fitted::FixSigmaScale);
-    let kept = |it: &Suspect| it.fault != Fault::Sigma && !(of_fixes && it.fault == Fault::Start);
+    // An arm and a delay look alike beside a σ that allows for both: which it is, they tell by themselves.
+    let clock = most(&round.found, &|it| it.fault == Fault::Clock);
+    let other = |it: &Suspect| it.fault == Fault::Antenna && it.gain < clock;
+    let kept = |it: &Suspect| it.fault != Fault::Sigma && !(of_fixes && it.fault == Fault::Start) && !other(it);
     let all = round.found.iter().map(|(suspect, _)| suspect).enumerate();
     let others: Vec<_> = all.filter(|(_, suspect)| suspect.excess > 0.0 && kept(suspect)).collect();
     (larger && first.excess > 0.0 && !others.is_empty()).then_some((first, others))

@@ -38,6 +38,8 @@ impl Suspect {
     }
 }
 
+/// An arm and a delay together gain so many times as much as a clock alone, where that gains more than the arm alone.
+const FAR_MORE: f64 = 1.5;
 /// A small arm is at most so many times as long as the way of a step, beside what is uncertain of it.
 const SMALL: f64 = 1.3;
 
@@ -70,12 +72,20 @@ pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, chance: f64) {
     let pair = |it: &Suspect| it.with.is_some() && it.fault == Fault::Scale;
     let alone = |it: &Suspect| it.with.is_none() && matches!(it.number, Some(Fitted::Scale | Fitted::Offset));
     together(found, chance, pair, alone);
-    // One that stands no farther off than what is held explains is a delay.
     let late = |it: &Suspect| it.fault == Fault::Antenna && it.sizes.len() > 2;
     let placed = |it: &Suspect| it.fault == Fault::Antenna && it.sizes.len() == 2;
     let delayed = |it: &Suspect| it.number == Some(Fitted::DelayFix) && it.with.is_none();
-    found.retain(|(it, _)| !late(it) || it.excess > 0.0);
+    // What a delay explains nearly as well by itself is one, and so is an arm no longer than what is held explains.
+    let (arm, clock) = (most(found, &placed), most(found, &|it| it.fault == Fault::Clock));
+    let much = |it: &Suspect| it.excess > 0.0 && (arm >= clock || it.gain > FAR_MORE * clock);
+    found.retain(|(it, _)| !late(it) || much(it));
     together(found, chance, late, |it| placed(it) || delayed(it));
+}
+
+/// The most that any of such suspects gains.
+pub(crate) fn most(found: &[(Suspect, Trial)], of: &dyn Fn(&Suspect) -> bool) -> f64 {
+    let gains = found.iter().filter(|(it, _)| of(it)).map(|(it, _)| it.gain);
+    gains.fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Leaves what is `both` where it gains more than any `alone` does, by more than chance; else those.
@@ -85,11 +95,7 @@ fn together(
     both: impl Fn(&Suspect) -> bool,
     alone: impl Fn(&Suspect) -> bool,
 ) {
-    let most = |of: &dyn Fn(&Suspect) -> bool| {
-        let gains = found.iter().filter(|(it, _)| of(it)).map(|(it, _)| it.gain);
-        gains.fold(f64::NEG_INFINITY, f64::max)
-    };
-    let more = most(&both) > most(&alone).max(0.0) + chance;
+    let more = most(found, &both) > most(found, &alone).max(0.0) + chance;
     found.retain(|(it, _)| if more { !alone(it) } else { !both(it) });
 }
 
