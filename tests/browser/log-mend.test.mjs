@@ -187,3 +187,40 @@ test('σ that are fitted beside outliers come with gates and a start of their ow
   await bar.getByRole('button', { name: 'Undo' }).click()
   await until(it, (frame) => JSON.stringify(frame.params) === JSON.stringify(before), 'all as it was')
 })
+
+/** A robot that turns either way, whose turn rates read so many times what they are. @param {number} times */
+function winding(times) {
+  const places = [
+    [0, 0],
+    [20, 2],
+    [8, 18],
+  ]
+  const rows = places.map(([x, y], i) => `L,${i + 1},${x},${y}`)
+  let [x, y, theta] = [6, 6, 0.5]
+  for (let k = 0; k < 1800; k++) {
+    const [t, omega] = [k / 10, 0.35 * Math.cos(0.11 * (k / 10)) + 0.2]
+    rows.push(`V,${t},0.8,${omega * times}`)
+    const [px, py] = places[k % 3]
+    if (k % 2 === 0) rows.push(`R,${t},${(k % 3) + 1},${Math.hypot(px - x, py - y) + 0.1 * Math.sin(7.3 * k * k)}`)
+    x += 0.08 * Math.cos(theta)
+    y += 0.08 * Math.sin(theta)
+    theta += omega / 10
+  }
+  return file('winding.csv', rows.join('\n'))
+}
+
+test('turns that are taken otherwise at a press leave a start that the reader has set', async (t) => {
+  const { page, it, choose, answer } = await openLog(t, { viewport: { width: 1440, height: 900 } })
+  await choose(winding(1.12))
+  await until(it, (frame) => frame.params.start && frame.judgement, 'the start of the log')
+  await page.getByLabel('x, m', { exact: true }).fill('6.02')
+  await page.getByLabel('x, m', { exact: true }).press('Enter')
+  await until(it, (frame) => frame.params.start?.[0] === 6.02 && frame.judgement, 'the verdict with that start')
+  await page
+    .locator('.log-mend')
+    .getByRole('button', { name: /[Tt]ake them so/ })
+    .click()
+  await answer.getByText(/Turn rates are taken 0\.8\d+ times as they are read/).waitFor()
+  const { params } = await until(it, ({ judgement }) => judgement?.suspects[0].fault !== 'turn-scale', 'the verdict')
+  assert.equal(params.start[0], 6.02)
+})

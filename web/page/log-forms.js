@@ -1,6 +1,7 @@
 /** What a reader tells the filter of a log, in the strip of the workbench: sensors, start, afterwards, fit. */
 
 import { startBelow } from '../widgets/robot-log/antenna.js'
+import { sameCorrections } from './log-corrections.js'
 import { FitForm } from './log-fit.js'
 import { SENSORS, openingOf, settingWords } from './log-numbers.js'
 import { SensorForm } from './log-sensors.js'
@@ -22,6 +23,9 @@ function changed(params, parameters) {
   const set = parameters.filter((one) => JSON.stringify(params[one.name]) !== JSON.stringify(one.default))
   return set.map(({ name }) => name).filter((name) => !UNTOLD.includes(name))
 }
+
+/** @param {unknown} one @param {unknown} other */
+const same = (one, other) => JSON.stringify(one ?? null) === JSON.stringify(other ?? null)
 
 /** @param {Record<string, unknown>} params @param {string[]} names */
 const only = (params, names) => Object.fromEntries(names.map((name) => [name, params[name]]))
@@ -94,7 +98,7 @@ export class Forms {
     this.settled = async (patch) => {
       const { run: running } = host.figure
       const { start } = running.wanted.params
-      if (!start || JSON.stringify(start) !== JSON.stringify(this.started)) return patch
+      if (!start || !same(start, this.started)) return patch
       const { found } = await running.opening(patch)
       if (!found) return patch
       this.started = found.start
@@ -134,9 +138,9 @@ export class Forms {
    * @returns {Told | null} what became of settings that the reader had changed
    */
   begin(contents, parameters, other, names) {
+    const { opening: usually, corrections } = contents
+    const [before, called, last, began] = [this.opening, this.names, this.contents?.corrections, this.started]
     this.contents = contents
-    const { opening: usually } = contents
-    const [before, called] = [this.opening, this.names]
     this.opening = JSON.stringify(usually)
     this.started = usually?.start ?? null
     if (other) this.names = JSON.stringify(names)
@@ -146,7 +150,10 @@ export class Forms {
     const usual = Object.fromEntries(parameters.map((one) => [one.name, one.default]))
     const untold = Object.fromEntries(UNTOLD.map((name) => [name, usual[name]]))
     if (!other) {
-      if (moved) this.change({ ...untold, ...opening })
+      // A press that reads turns or places otherwise leaves a start that the reader has set; a cut begins elsewhere.
+      const corrected = last && !sameCorrections(last, corrections)
+      const set = corrected && same(last.kept, corrections.kept) && !same(params.start, began)
+      if (moved && !set) this.change({ ...untold, ...opening })
       return null
     }
     const set = changed(params, parameters)
@@ -186,7 +193,7 @@ export class Forms {
     const moved = ['antennaAhead', 'antennaLeft'].some((name) => name in patch && patch[name] !== params?.[name])
     if (!moved || !params.start || this.contents?.truth !== false) return {}
     const start = patch.start ?? startBelow(params, patch)
-    if (JSON.stringify(params.start) === JSON.stringify(this.started)) this.started = start
+    if (same(params.start, this.started)) this.started = start
     return { start }
   }
 

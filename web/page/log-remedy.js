@@ -1,7 +1,7 @@
 /** What mends a fault that the verdict names, as its sentence says: a setting, a fit of several, or another reading. */
 
 import { decimal, fixed } from '../draw/numbers.js'
-import { startBelow } from '../widgets/robot-log/antenna.js'
+import { isLate, startBelow } from '../widgets/robot-log/antenna.js'
 import { factors } from '../widgets/robot-log/driven.js'
 import { cutsFirst, longest } from '../widgets/robot-log/gaps.js'
 import { rounded } from '../widgets/robot-log/sized.js'
@@ -123,7 +123,7 @@ export function remedy(suspect, params, truth, log = null) {
   }
   if (fault === 'antenna') {
     const [antennaAhead, antennaLeft, delayFix] = sizes.map((size) => said(size))
-    const patch = { antennaAhead, antennaLeft, ...(sizes.length > 2 ? { delayFix } : {}) }
+    const patch = { antennaAhead, antennaLeft, ...(isLate(sizes[2]) ? { delayFix } : {}) }
     const start = truth || !params.start ? {} : { start: startBelow(params, patch) }
     return { press: 'Set its place so', patch: { ...patch, ...start } }
   }

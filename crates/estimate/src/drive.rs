@@ -33,6 +33,7 @@ mod line;
 mod moves;
 mod noise;
 mod opening;
+mod opening_parabola;
 mod opening_ranges;
 mod opening_seen;
 mod opening_spread;

@@ -1,6 +1,6 @@
 /** An antenna that does not stand where the robot’s pose is: in words, and what it does to a start taken from fixes. */
 
-import { claimed, digits, plusMinus } from './sized.js'
+import { claimed, digits, ownStep, plusMinus } from './sized.js'
 
 /** @typedef {import('estimate-wasm').LogSuspect['sizes'][number]} Size */
 
@@ -9,23 +9,33 @@ const off = (size, unit, [more, less]) =>
   `${plusMinus({ ...size, value: Math.abs(size.value) })} ${unit} ${size.value < 0 ? less : more}`
 
 /** @param {Size[]} sizes ahead and to the left, m, and a delay of the positions, s, where that is off as well */
-export function antennaSentence([ahead, left, delay]) {
+export function antennaSentence([ahead, left, together]) {
+  const delay = isLate(together) && together
   const late = delay && `, and these come ${off({ ...delay, value: delay.value - delay.now }, 's', ['late', 'early'])}`
   return (
     `The antenna whose positions these are stands ${off(ahead, 'm', ['ahead of', 'behind'])} the point about which ` +
-    `the robot turns, and ${off(left, 'm', ['to its left', 'to its right'])}${late ?? ''}: ` +
+    `the robot turns, and ${off(left, 'm', ['to its left', 'to its right'])}${late || ''}: ` +
     `set its place so${delay ? `, and the delay to ${digits(delay)} s` : ''}.`
   )
 }
 
+/** Whether a delay was found that is not the motion model’s own. @param {Size} [delay] */
+export const isLate = (delay) => Boolean(delay && delay.value !== delay.now)
+
 /**
- * What of a place ahead the motion model may have as its own: the way of a step, which it holds what it reads for.
- * @param {{ pace: number, ownDelay: number }} judgement
+ * What the motion model may have as its own: of a place ahead the way of a step, which it holds what it reads for, and
+ * of a delay the step.
+ * @param {Size[]} sizes @param {{ pace: number, period: number, ownDelay: number }} judgement
  */
-export function armOfAStep({ pace, ownDelay }) {
+export function ofAStep([, , delay], { pace, period, ownDelay }) {
+  if (isLate(delay)) return ownDelay > 0 ? `The delay may be ${ownStep({ period, ownDelay })}, ${OWN}` : ''
   const way = pace * ownDelay
-  return way > 0 ? `Up to ${claimed(way)} m of it ahead may be the motion model’s own, the way of a step.` : ''
+  return !delay && way > 0
+    ? `Up to ${claimed(way)} m of it ahead may be the motion model’s own, the way of a step.`
+    : ''
 }
+
+const OWN = 'longer or shorter: that is the motion model’s own.'
 
 /**
  * Where the robot starts if its antenna stands elsewhere than is set: the antenna stays where it was.

@@ -1,7 +1,7 @@
 /** The verdict on a log in words: which fault the readings tell, how large it is, and what mends it. */
 
 import { fixed } from '../../draw/numbers.js'
-import { antennaSentence, armOfAStep } from './antenna.js'
+import { antennaSentence, ofAStep } from './antenna.js'
 import { DILUTED, odometrySentence, turnScaleSentence } from './driven.js'
 import { HIDDEN, bridged, cutsFirst } from './gaps.js'
 import { MIRRORED_BEARINGS, mirroredSentence } from './mirrored.js'
@@ -46,6 +46,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
     // A σ that has taken in a fault of the motion lets the start turn towards it.
     sound || judgement.suspects[0].fault === 'start' ? loose(judgement) : '',
     sound ? blind(judgement.suspects) : '',
+    sound ? delayed(judgement) : '',
     sound ? noisy(judgement) : '',
     errors(judgement),
     judgement.rows < rows ? `The first ${count(judgement.rows)} rows are judged.` : '',
@@ -123,8 +124,10 @@ function model(suspect, judgement) {
  * of a turned camera.
  * @param {Suspect} suspect @param {LogJudgement} judgement
  */
-function inPart({ fault, own, name, sizes: [size] }, { period, ownDelay, halfTurn, pace }) {
-  if (fault === 'antenna') return armOfAStep({ pace, ownDelay })
+function inPart({ fault, own, name, sizes }, judgement) {
+  const { period, ownDelay, halfTurn } = judgement
+  if (fault === 'antenna') return ofAStep(sizes, judgement)
+  const [size] = sizes
   if (name === 'bearingOffset' && size.sigma !== null && Math.abs(halfTurn) > size.sigma / 2)
     return `${fixed(halfTurn * DEGREES, 2)}° of that may be the motion model’s own, half of the turn of a step.`
   if (fault !== 'clock') return own ? DILUTED : ''
@@ -155,6 +158,12 @@ function loose({ suspects, pace }) {
   const said = distance ? hides(distance.sizes[0].now, pace) : ''
   return said && `The σ of the distance is set to ${claimed(distance?.sizes[0].now ?? 0)} m/√s. ${said}`
 }
+
+/** A delay that is set, of which a part may be the motion model’s own. @param {LogJudgement} judgement */
+const delayed = ({ suspects, period, ownDelay }) =>
+  ownDelay > 0 && suspects.some(({ fault, sizes }) => fault === 'clock' && sizes.some(({ now }) => now !== 0))
+    ? `A delay is set. It may be ${ownStep({ period, ownDelay })}, longer or shorter: that is the motion model’s own.`
+    : ''
 
 /** A share beyond the ellipse that a sound filter does not have. */
 const MANY = 0.15

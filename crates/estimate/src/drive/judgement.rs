@@ -180,6 +180,38 @@ pub(crate) fn may_be_own(drive: &Drive, suspects: &mut [Suspect], round: &Round,
     }
 }
 
+/// So much of the gain is left, where an antenna's place is told without the delay that was found with it.
+const HALF: f64 = 0.5;
+
+/// Leaves the delay as it is that was found with an antenna's place, where that may be the motion model's own.
+pub(crate) fn own_delay_left(
+    drive: &Drive,
+    suspects: &mut [Suspect],
+    places: &mut [Trial],
+    round: &Round,
+    scope: &Scope,
+    own: f64,
+) {
+    let Some(base) = &round.base else { return };
+    let both = suspects.iter_mut().zip(places).filter(|(it, _)| it.fault == Fault::Antenna);
+    for (suspect, place) in both {
+        let [_, _, late] = suspect.sizes.as_mut_slice() else { continue };
+        // Of a delay that was set it may be known already how much is the model's, or not.
+        if late.now != 0.0 || late.value.abs() > own + (2.0 * late.sigma).min(0.3 * own) {
+            continue;
+        }
+        let mut left = *place;
+        left.settings.delays.fix = 0.0;
+        let gain = Evidence::new(drive, &left, scope.rows).map_or(0.0, |it| it.gain(base, scope.from));
+        if gain < HALF * suspect.gain {
+            continue;
+        }
+        (late.value, *place) = (0.0, left);
+        suspect.excess -= suspect.gain - gain;
+        suspect.gain = gain;
+    }
+}
+
 /// Says of the likeliest delays how far the readings tell them at all.
 pub(crate) fn stairs(drive: &Drive, suspects: &mut [Suspect], places: &[Trial], scope: &Scope) {
     let clocks = suspects.iter_mut().zip(places);

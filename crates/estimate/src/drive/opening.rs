@@ -4,12 +4,13 @@
 //! that drives backwards. The log has the motion between them: the heading is the one under which the filter finds the
 //! first fixes most likely.
 
+use super::opening_parabola::parabola;
 use super::opening_trust::{FIRST, Held, tells, trusted as trusted_of};
 use super::{Course, Drive, Event, Motion, Replay, Settings, Truth};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 use geom::{SE2, wrap};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// Where no motion tells the way, a second fix tells the heading once it is so many of its standard deviations away;
 /// and so far from the heading that the fixes tell, one that was read is another.
@@ -26,6 +27,8 @@ const ENOUGH: f64 = 0.05;
 const PARABOLIC: f64 = 0.6;
 /// The start is tried so exactly known that it is the one that is tried, in standard deviations of a fix, and rad.
 const KNOWN: f64 = 1e-3;
+/// A robot that has gone so many σ of the distance has driven.
+const DRIVEN: f64 = 3.0;
 /// How often the top of the parabola is sought anew.
 const ROUNDS: usize = 4;
 
@@ -181,6 +184,9 @@ fn below(settings: &Settings, [x, y, theta]: [f64; 3]) -> [f64; 3] {
 /// The start of a stretch of motion and fixes, and the σ of its heading.
 fn fit(stretch: &Drive, settings: &Settings) -> Option<([f64; 3], f64)> {
     let pairs = pairs(stretch, settings)?;
+    if !has_driven(stretch, &pairs, settings) {
+        return None;
+    }
     let (antenna, rough) = turned(&pairs)?;
     let mut pose = Vector3::from(below(settings, antenna.into()));
     let sigma = pairs.iter().map(|pair| pair.sigma).fold(f64::INFINITY, f64::min);
@@ -202,6 +208,13 @@ fn fit(stretch: &Drive, settings: &Settings) -> Option<([f64; 3], f64)> {
     let (_, nis) = told(pose)?;
     let off = off? * libm::sqrt(nis.max(1.0));
     (off < PARABOLIC && pose.iter().all(|it| it.is_finite())).then(|| ([pose[0], pose[1], wrap(pose[2])], off))
+}
+
+/// Whether the robot has driven farther than the noise of what is read of a standing one leads.
+fn has_driven(stretch: &Drive, pairs: &[Held], settings: &Settings) -> bool {
+    let (Some(first), Some([from, to])) = (pairs.first(), stretch.span()) else { return false };
+    let far = |pair: &Held| libm::hypot(pair.reckoned[0] - first.reckoned[0], pair.reckoned[1] - first.reckoned[1]);
+    pairs.iter().map(far).fold(0.0, f64::max) > DRIVEN * settings.sigma_distance * libm::sqrt(to - from)
 }
 
 /// Each fix of a stretch beside where the motion alone leads.
@@ -261,32 +274,4 @@ fn likelihood(stretch: &Drive, settings: &Settings, pose: Vector3<f64>, small: f
         sum += taken.judged.map_or(0.0, |judged| judged.log_likelihood());
     }
     Some((sum, replay.summary(&course).nis?))
-}
-
-/// Slope and bend of the likelihood at a pose, by its values so far to either side.
-fn parabola(
-    told: impl Fn(Vector3<f64>) -> Option<(f64, f64)>,
-    pose: Vector3<f64>,
-    steps: Vector3<f64>,
-) -> Option<(Vector3<f64>, Matrix3<f64>)> {
-    let at = |moved: Vector3<f64>| told(pose + moved).map(|(sum, _)| sum);
-    let side = |i: usize, sign: f64| {
-        let mut moved = Vector3::zeros();
-        moved[i] = sign * steps[i];
-        moved
-    };
-    let here = at(Vector3::zeros())?;
-    let (mut slope, mut bend) = (Vector3::zeros(), Matrix3::zeros());
-    for i in 0..3 {
-        let (after, before) = (at(side(i, 1.0))?, at(side(i, -1.0))?);
-        slope[i] = (after - before) / (2.0 * steps[i]);
-        bend[(i, i)] = (after - 2.0 * here + before) / (steps[i] * steps[i]);
-        for j in 0..i {
-            let alike = at(side(i, 1.0) + side(j, 1.0))? + at(side(i, -1.0) + side(j, -1.0))?;
-            let unlike = at(side(i, 1.0) + side(j, -1.0))? + at(side(i, -1.0) + side(j, 1.0))?;
-            bend[(i, j)] = (alike - unlike) / (4.0 * steps[i] * steps[j]);
-            bend[(j, i)] = bend[(i, j)];
-        }
-    }
-    Some((slope, bend))
 }

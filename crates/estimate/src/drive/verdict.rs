@@ -24,7 +24,7 @@ use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::gaps::{Gaps, gaps_and_end};
 use crate::drive::gates::Gates;
 use crate::drive::judgement::{
-    Judgement, as_mended, for_the_filter, is_own, may_be_own, own_delay, refuted, stairs, turning,
+    Judgement, as_mended, for_the_filter, is_own, may_be_own, own_delay, own_delay_left, refuted, stairs, turning,
 };
 use crate::drive::noise::{Noise, noise};
 use crate::drive::pace::Paced;
@@ -236,12 +236,13 @@ impl Verdict {
         self.noise = self.first.base.as_ref().map(|base| noise(drive, &base.readings)).unwrap_or_default();
         let hoisted = self.beside.take().is_some_and(|round| hoist(&mut self.first, round, &self.scope));
         self.hoisted = hoisted;
-        let places: Vec<Trial> = self.first.found.iter().map(|(_, place)| *place).collect();
+        let mut places: Vec<Trial> = self.first.found.iter().map(|(_, place)| *place).collect();
         self.suspects = core::mem::take(&mut self.first.found).into_iter().map(|(suspect, _)| suspect).collect();
+        let own_delay = self.own_delay();
+        own_delay_left(drive, &mut self.suspects, &mut places, &self.first, &self.scope, own_delay);
         stand(&mut self.suspects, hoisted || self.sole);
         stairs(drive, &mut self.suspects, &places, &self.scope);
         diluted(drive, &mut self.suspects);
-        let own_delay = self.own_delay();
         if !hoisted {
             may_be_own(drive, &mut self.suspects, &self.first, &self.scope, own_delay);
         }

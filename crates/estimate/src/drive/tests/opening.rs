@@ -161,3 +161,25 @@ fn the_start_is_the_robot_s_and_not_that_of_its_antenna() {
     let alone = drive(Motion::Velocity, &[], &still).opening(&settings).expect("a fix");
     assert_eq!(alone.pose, [0.0, 5.0, 0.0]);
 }
+
+/// What a standing robot's speed reads by chance leads somewhere, too.
+#[test]
+fn a_robot_that_stands_at_first_has_the_heading_of_its_later_way() {
+    for run in 0..20 {
+        let (mut seed, theta, dt) = (100 + run, 0.7, 0.1);
+        let (mut pose, mut rows) = ([2.0, -3.0], Vec::new());
+        for i in 0..200 {
+            let time = f64::from(i) * dt;
+            let v = (0.2 * (time - 6.0)).clamp(0.0, 1.0);
+            if i % 2 == 0 {
+                let at = [0, 1].map(|k| pose[k] + 0.02 * normal(&mut seed));
+                rows.push((time, fix(at[0], at[1], Some(0.02))));
+            }
+            rows.push((time, Event::Velocity { v: v + 0.05 * normal(&mut seed), omega: 0.0 }));
+            (pose[0], pose[1]) = (pose[0] + v * dt * f64::cos(theta), pose[1] + v * dt * f64::sin(theta));
+        }
+        let found = opened(&rows).expect("fixes");
+        let off = geom::wrap(found.pose[2] - theta) / found.sigma_heading;
+        assert!(off.abs() < 3.5 && found.sigma_heading < 0.2, "{run}: {off} {found:?}");
+    }
+}
