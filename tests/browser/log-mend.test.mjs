@@ -201,7 +201,7 @@ function winding(times) {
     const [t, omega] = [k / 10, 0.35 * Math.cos(0.11 * (k / 10)) + 0.2]
     rows.push(`V,${t},0.8,${omega * times}`)
     const [px, py] = places[k % 3]
-    if (k % 2 === 0) rows.push(`R,${t},${(k % 3) + 1},${Math.hypot(px - x, py - y) + 0.1 * Math.sin(7.3 * k * k)}`)
+    if (k % 2 === 0) rows.push(`R,${t},${(k % 3) + 1},${Math.hypot(px - x, py - y) + 0.85 * Math.sin(7.3 * k * k)}`)
     x += 0.08 * Math.cos(theta)
     y += 0.08 * Math.sin(theta)
     theta += omega / 10
@@ -211,7 +211,7 @@ function winding(times) {
 
 test('turns that are taken otherwise at a press leave a start that the reader has set', async (t) => {
   const { page, it, choose, answer } = await openLog(t, { viewport: { width: 1440, height: 900 } })
-  await choose(winding(1.12))
+  await choose(winding(1.3))
   await until(it, (frame) => frame.params.start && frame.judgement, 'the start of the log')
   await page.getByLabel('x, m', { exact: true }).fill('6.02')
   await page.getByLabel('x, m', { exact: true }).press('Enter')
@@ -220,7 +220,7 @@ test('turns that are taken otherwise at a press leave a start that the reader ha
     .locator('.log-mend')
     .getByRole('button', { name: /[Tt]ake them so/ })
     .click()
-  await answer.getByText(/Turn rates are taken 0\.8\d+ times as they are read/).waitFor()
+  await answer.getByText(/Turn rates are taken 0\.7\d+ times as they are read/).waitFor()
   const { params } = await until(it, ({ judgement }) => judgement?.suspects[0].fault !== 'turn-scale', 'the verdict')
   assert.equal(params.start[0], 6.02)
 })

@@ -108,6 +108,8 @@ export class Forms {
     this.fit = new FitForm(box, { fit, stop: this.stopFit, take })
     /** Where the log begins by its first fixes, as text. */
     this.opening = ''
+    /** How the log before was read otherwise. @type {import('estimate-wasm').LogCorrections | null} */
+    this.corrections = null
     /** The names of the files of the reader's log, as text; null until there is one. @type {string | null} */
     this.names = null
   }
@@ -139,7 +141,8 @@ export class Forms {
    */
   begin(contents, parameters, other, names) {
     const { opening: usually, corrections } = contents
-    const [before, called, last, began] = [this.opening, this.names, this.contents?.corrections, this.started]
+    const [before, called, last, began] = [this.opening, this.names, this.corrections, this.started]
+    this.corrections = corrections
     this.contents = contents
     this.opening = JSON.stringify(usually)
     this.started = usually?.start ?? null
