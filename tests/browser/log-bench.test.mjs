@@ -143,6 +143,13 @@ test('a reading that is touched has its place on the map, and panels show one st
   const [innovations, nis, bearings] = await ends()
   assert.ok(innovations.length > 0 && innovations === nis && nis === bearings, await ends())
   assert.match(innovations, /^0\.1/)
+  // That stretch can be read alone, and the whole log again.
+  await page.getByRole('button', { name: 'Read this part alone' }).click()
+  await page.getByText(/^The log is read from \d+\.\d to \d+\.\d s after its first row\.$/).waitFor()
+  await until(it, ({ rows }) => rows > 40 && rows < 200, 'a part of the camera')
+  assert.equal(await page.getByRole('button', { name: 'Whole log' }).isVisible(), false)
+  await page.locator('.log-mend').getByRole('button', { name: 'Undo' }).click()
+  await until(it, ({ rows }) => rows === 400, 'the camera as it was')
   // A drag from one corner of a panel to the other, and beyond, selects none of its letters.
   for (const name of ['map', 'innovations', 'bearings']) {
     const box = await page.locator(`robot-log .live .panel-${name}`).boundingBox()

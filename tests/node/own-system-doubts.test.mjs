@@ -156,3 +156,11 @@ test('a text may say in words which time it is of', () => {
     assert.match(read(whole + after).fault ?? 'read', fault)
   assert.match(read(`${whole.replace('; T = 0.1', '')}continuous`).fault, /^The length of a step is missing/)
 })
+
+test('a diagonal that is given number by number says how it is written', () => {
+  for (const [text, fault] of /** @type {[string, RegExp][]} */ ([
+    ['V = diag(1e-5, 1e-8)', /^V: a diagonal is one list: diag\(\[a b\]\)\.$/],
+    ['V = np.diag(1e-5, 1e-8)', /^V: a diagonal is one list: np\.diag\(\[a, b\]\)\.$/],
+  ]))
+    assert.match(read(`F = [[1, 0], [0, 1]]\nH = [[1, 0]]\nW = 1\n${text}`).fault, fault)
+})

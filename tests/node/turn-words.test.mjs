@@ -26,6 +26,11 @@ test('turn rates that read too much have the factor that their press sets', () =
   assert.equal(press.press, 'Take them so')
   const [along, about] = press.corrections.driven
   assert.ok(along === 1 && Math.abs(about - 1.1 * 0.9616) < 1e-9, 'what was corrected before is counted in')
+  const noisy = ranked(judgement([{ ...scaled(), dilution: 0.024 }]), { rows: 1000, truth: false, log })
+  assert.match(
+    noisy,
+    / makes them look up to 2\.4 % larger than they are: the ± counts that, and what is set may be as/,
+  )
   const end = scaled({ ...share, value: 9, end: true })
   assert.match(sentence(end, false, log), /mend their unit\.$/)
   assert.deepEqual([remedy(end, params, false, log), remedy(scaled(), params, false, null)], [null, null])

@@ -16,6 +16,7 @@ export const suspect = (given) => ({
   landmarks: null,
   claims: null,
   times: null,
+  dilution: null,
   ...given,
 })
 

@@ -29,7 +29,10 @@ export class Bench {
     }
     this.likelihood = new LikelihoodLine({ change, look: this.look })
     this.mend = new MendBar(orders)
-    this.view = new ViewBar(this.look)
+    this.view = new ViewBar(this.look, {
+      may: orders.may,
+      keep: (window, log) => this.mend.keepPart(window, log),
+    })
     this.sources = new SourceTable(this.look)
     this.map = new LikelihoodMap(() => host.figure.run, change)
     /** @type {HTMLElement | null} */

@@ -99,7 +99,15 @@ export class MendBar {
     this.hide()
   }
 
-  /** @param {Remedy} remedy @param {Frame} frame @param {Patch} wanted */
+  /** Reads a part of the log alone. @param {[number, number]} part s since its first row @param {Frame['log']} log */
+  keepPart(part, log) {
+    if (!log?.corrections) return
+    const [before] = log.corrections.kept ?? [0]
+    const kept = /** @type {[number, number]} */ (part.map((time) => before + time))
+    this.take({ press: '', corrections: { ...log.corrections, kept } }, { log }, {})
+  }
+
+  /** @param {Remedy} remedy @param {Pick<Frame, 'log'>} frame @param {Patch} wanted */
   take(remedy, { log }, wanted) {
     const { patch, fit } = remedy
     if (fit) return this.fit(remedy, fit, wanted)

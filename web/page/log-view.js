@@ -12,8 +12,13 @@ const HINT = 'Touch a reading for its place; drag across to look closer.'
 const ALL = 'all readings'
 
 export class ViewBar {
-  /** @param {(looks: any) => void} look */
-  constructor(look) {
+  /**
+   * @param {(looks: any) => void} look
+   * @param {{ may: () => boolean, keep: (window: [number, number], log: Frame['log']) => void }} orders whether the log
+   *   can be read otherwise, and what reads a part of it alone
+   */
+  constructor(look, { may, keep }) {
+    this.may = may
     this.box = document.createElement('div')
     this.box.className = 'log-view'
     const label = part(document, this.box, 'label', '')
@@ -34,7 +39,14 @@ export class ViewBar {
     this.from = numberField(this.box, 'from, s', (value) => set(0, value))
     this.to = numberField(this.box, 'to, s', (value) => set(1, value))
     this.whole = button(document, this.box, 'Whole log', () => look({ window: null }))
+    this.alone = button(document, this.box, 'Read this part alone', () => {
+      const { window } = this
+      look({ window: null })
+      if (window) keep(window, this.log)
+    })
     this.words = part(document, this.box, 'p', 'log-touched')
+    /** @type {Frame['log']} */
+    this.log = null
     /** @type {[number, number] | null} */
     this.window = null
     this.duration = 0
@@ -63,6 +75,8 @@ export class ViewBar {
     this.from.show(window?.[0] ?? 0)
     this.to.show(window?.[1] ?? frame.duration)
     this.whole.hidden = !window
+    this.log = frame.log
+    this.alone.hidden = !window || !frame.log?.corrections || !this.may()
     const words = touchedWords(frame)
     if (this.words.textContent !== words) this.words.textContent = words
   }

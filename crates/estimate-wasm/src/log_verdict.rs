@@ -48,6 +48,8 @@ export interface LogSuspect {
     times: { value: number; sigma: number | null; set: number; unit: [string, string] | null } | null;
     /** Of a factor on the σ that readings bring: the least of these, their median and the greatest; else null. */
     claims: [number, number, number] | null;
+    /** Of a share of the turns by how much noise of what is read makes them look larger; its σ counts it. Else null. */
+    dilution: number | null;
     /** By how much the log-likelihood of the readings rises where it is freed. */
     gain: number;
     /**
@@ -234,6 +236,7 @@ fn suspect(suspect: &Suspect) -> JsValue {
         ("sizes", suspect.sizes.iter().map(size).collect::<Array>().into()),
         ("times", suspect.times().map_or(JsValue::NULL, times)),
         ("claims", suspect.claims.map_or(JsValue::NULL, |claims| list(&claims))),
+        ("dilution", suspect.dilution.map_or(JsValue::NULL, Into::into)),
         ("gain", suspect.gain.into()),
         ("excess", suspect.excess.into()),
         ("standing", standing.into()),

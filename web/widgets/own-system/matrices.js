@@ -132,13 +132,14 @@ function exponential(m) {
  * @param {Matrix} m @param {number} k how far it lies above the middle @param {boolean} numpy
  */
 function diagonal(m, k, numpy) {
+  if (!Number.isInteger(k) || Math.abs(k) > MOST)
+    throw new Fault(`a diagonal is one list: ${numpy ? 'np.diag([a, b])' : 'diag([a b])'}.`)
   const flat = m.flat()
   if (!isLine(m) && (numpy || (m.length > 1 && m[0].length > 1))) {
     const found = m.flatMap((row, i) => (row[i + k] === undefined ? [] : [row[i + k]]))
     if (found.length === 0) throw new Fault('is empty.')
     return numpy ? line([found]) : turned([found])
   }
-  if (!Number.isInteger(k) || Math.abs(k) > MOST) throw new Fault('a size is a whole number.')
   const n = flat.length + Math.abs(k)
   return made(n, n, (i, j) => (j - i === k ? flat[Math.min(i, j)] : 0))
 }

@@ -1,6 +1,6 @@
 /** Motion that reads too much or too little by a share, in words: by which factors, and which wheels do so. */
 
-import { decimal } from '../../draw/numbers.js'
+import { decimal, fixed } from '../../draw/numbers.js'
 import { plusMinus, rounded } from './sized.js'
 
 /** @typedef {import('estimate-wasm').LogSuspect['sizes'][number]} Size */
@@ -8,6 +8,16 @@ import { plusMinus, rounded } from './sized.js'
 
 /** Of turns that are less than they are read. */
 export const DILUTED = 'Noise in the turns that are read looks the same: it may be no fault.'
+
+/**
+ * What noise of the turns may be of their share.
+ * @param {number | null} dilution
+ */
+export const byNoise = (dilution) =>
+  dilution
+    ? `Noise in the turns that are read makes them look up to ${fixed(100 * dilution, 1)} % larger than they are: ` +
+      'the ± counts that, and what is set may be as much too small.'
+    : ''
 
 /** How many times the distances, and where it turns the turns, are to be taken. @param {Size[]} sizes */
 export const factors = (sizes) => sizes.map((size) => 1 + rounded(size))

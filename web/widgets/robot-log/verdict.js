@@ -2,7 +2,7 @@
 
 import { fixed } from '../../draw/numbers.js'
 import { antennaSentence, ofAStep } from './antenna.js'
-import { DILUTED, odometrySentence, turnScaleSentence } from './driven.js'
+import { DILUTED, odometrySentence, byNoise, turnScaleSentence } from './driven.js'
 import { HIDDEN, bridged, cutsFirst } from './gaps.js'
 import { MIRRORED_BEARINGS, mirroredSentence } from './mirrored.js'
 import { NEAR, named } from './named.js'
@@ -124,13 +124,13 @@ function model(suspect, judgement) {
  * of a turned camera.
  * @param {Suspect} suspect @param {LogJudgement} judgement
  */
-function inPart({ fault, own, name, sizes }, judgement) {
+function inPart({ fault, own, name, sizes, dilution }, judgement) {
   const { period, ownDelay, halfTurn } = judgement
   if (fault === 'antenna') return ofAStep(sizes, judgement)
   const [size] = sizes
   if (name === 'bearingOffset' && size.sigma !== null && Math.abs(halfTurn) > size.sigma / 2)
     return `${fixed(halfTurn * DEGREES, 2)}° of that may be the motion model’s own, half of the turn of a step.`
-  if (fault !== 'clock') return own ? DILUTED : ''
+  if (fault !== 'clock') return own ? DILUTED : byNoise(dilution)
   if (ownDelay === 0) return ''
   const step = ownStep({ period, ownDelay })
   if (Math.abs(size.value - size.now) > 2 * period)

@@ -1,10 +1,13 @@
-//! Noise in the turns that odometry reads makes them look larger than they are: where it is a part of what is read, the
-//! likeliest turn is the smaller by that part, and no wheel is wrong.
+//! Noise in the turns that are read makes them look larger than they are: where it is a part of what is read, the
+//! likeliest turn is the smaller by that part, and no wheel is wrong (Fuller 1987, Measurement Error Models).
 
+use crate::drive::evidence::Trial;
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
+use crate::drive::round::{Round, Scope};
 use crate::drive::row::{Drive, Event};
-use crate::drive::suspect::{Standing, Suspect};
+use crate::drive::suspect::{Size, Standing, Suspect};
+use crate::drive::tried::Tried;
 
 /// Over so long turns are summed, s: about as long as readings need to tell one.
 const WINDOW: f64 = 1.0;
@@ -12,13 +15,18 @@ const WINDOW: f64 = 1.0;
 const TIMES: f64 = 2.0;
 const SIGMAS: f64 = 2.0;
 
-/// The mean square of the turn of a second that odometry reads, rad²; 0 of other motion.
+/// The mean square of the turn of a second that is read, rad².
 fn squared(drive: &Drive) -> f64 {
     let (mut sum, mut count, mut turned, mut from) = (0.0, 0.0, 0.0, None::<f64>);
-    for row in &drive.rows {
-        let Event::Odometry { turn, .. } = row.event else { continue };
+    let (mut held, mut last) = (0.0, None::<f64>);
+    for row in drive.rows.iter().filter(|row| row.event.is_motion()) {
         let began = *from.get_or_insert(row.time);
-        turned += turn;
+        turned += held * (row.time - last.replace(row.time).unwrap_or(row.time));
+        match row.event {
+            Event::Odometry { turn, .. } => turned += turn,
+            Event::Velocity { omega, .. } | Event::TurnRate { omega } => held = omega,
+            _ => {}
+        }
         if row.time - began >= WINDOW {
             (sum, count, turned, from) = (sum + turned * turned, count + 1.0, 0.0, Some(row.time));
         }
@@ -26,21 +34,51 @@ fn squared(drive: &Drive) -> f64 {
     if count > 0.0 { sum / count } else { 0.0 }
 }
 
-/// Says of a share of odometry's turns that it may be no fault, where noise of the turns does the same: it is read with
-/// σ² of the turn in each second.
+/// Which part of the square of what is read is noise, of which each second has σ².
+fn part(noise: f64, drive: &Drive) -> f64 {
+    let squared = squared(drive);
+    if squared > 0.0 { (noise * noise * WINDOW / squared).min(1.0) } else { 0.0 }
+}
+
+/// The share of the turns that was found.
+fn turned(suspect: &mut Suspect) -> Option<&mut Size> {
+    let turns = suspect.fault == Fault::TurnScale || suspect.fault == Fault::Odometry && suspect.sizes.len() > 1;
+    suspect.sizes.last_mut().filter(|_| turns)
+}
+
+/// Says of a share of the turns that it may be no fault, where noise of the turns does the same.
 pub(crate) fn diluted(drive: &Drive, suspects: &mut [Suspect]) {
     let sigma = |suspect: &Suspect| suspect.number == Some(Fitted::SigmaTurn) && suspect.fault == Fault::Sigma;
     let noise = suspects.iter().find(|it| sigma(it)).and_then(|it| it.sizes.first()).map(|it| it.value.max(it.now));
-    let (Some(noise), squared) = (noise, squared(drive)) else { return };
-    let part = if squared > 0.0 { (noise * noise * WINDOW / squared).min(1.0) } else { 0.0 };
-    for suspect in suspects.iter_mut().filter(|it| it.fault == Fault::Odometry && it.standing != Standing::Cleared) {
-        let [far, turned] = suspect.sizes.as_slice() else { continue };
-        let small = far.value.abs() < SIGMAS * far.sigma;
-        if small && turned.value < 0.0 && -turned.value < TIMES * part + SIGMAS * turned.sigma && part > turned.sigma {
+    let Some(part) = noise.map(|noise| part(noise, drive)) else { return };
+    for suspect in suspects.iter_mut().filter(|it| it.standing != Standing::Cleared) {
+        let Some(Size { value, sigma, .. }) = turned(suspect).copied() else { continue };
+        // Distances that are off are a fault of their own.
+        let alone = suspect.sizes.len() > 1 && suspect.sizes[0].value.abs() < SIGMAS * suspect.sizes[0].sigma;
+        if alone && value < 0.0 && -value < TIMES * part + SIGMAS * sigma && part > sigma {
             (suspect.own, suspect.standing) = (true, Standing::Maybe);
         }
     }
 }
+
+/// Says of a share of the turns that is named first which part of it noise may be, as it is once the share is mended:
+/// all of that where the noise is in what is read, and nothing where it is in what the robot does.
+pub(crate) fn noisy_turns(drive: &Drive, suspects: &mut [Suspect], places: &[Trial], scope: &Scope) {
+    let (Some(suspect), Some(place)) = (suspects.first_mut(), places.first()) else { return };
+    if suspect.standing == Standing::Cleared || suspect.own || turned(suspect).is_none() {
+        return;
+    }
+    let mut round = Round::new(*place, alloc::vec![Tried::Number(Fitted::SigmaTurn)]);
+    while matches!(round.step(drive, scope), Ok(true)) {}
+    let noise = round.found.first().and_then(|(found, _)| found.sizes.first()).map(|size| size.value);
+    let part = noise.map_or(0.0, |noise| part(noise, drive));
+    let Some(size) = turned(suspect).filter(|size| part > LITTLE * size.sigma) else { return };
+    size.sigma = libm::hypot(size.sigma, part);
+    suspect.dilution = Some(part);
+}
+
+/// A part of fewer of the size's own standard deviations is passed over.
+const LITTLE: f64 = 0.5;
 
 #[cfg(test)]
 mod tests {
@@ -57,6 +95,9 @@ mod tests {
         // The first second has the turn of the row that it begins with, too.
         let wanted = (0.25 * 0.25 + 0.2 * 0.2) / 2.0;
         assert!((squared(&of(Motion::Odometry)) - wanted).abs() < 1e-12);
+        let rates = |k: i32| Row::new(0.25 * f64::from(k), Event::Velocity { v: 1.0, omega: 0.2 });
+        let held = Drive { rows: (0..9).map(rates).collect(), ..of(Motion::Velocity) };
+        assert!((squared(&held) - 0.04).abs() < 1e-12, "{}", squared(&held));
         let none = Drive { rows: Vec::new(), ..of(Motion::Velocity) };
         assert_eq!(squared(&none), 0.0);
     }

@@ -168,6 +168,7 @@ impl Round {
             landmarks: landmarks.into_iter().map(id).collect(),
             sizes,
             claims: which.first().and_then(|number| number.claimed_by()).and_then(|sensor| drive.claims(sensor)),
+            dilution: None,
             gain: freed.gain,
             excess: freed.gain - chance,
             standing: Standing::Cleared,

@@ -53,6 +53,8 @@ pub struct Suspect {
     pub sizes: Vec<Size>,
     /// The least of the standard deviations that readings bring, their median and the greatest: of a factor on them.
     pub claims: Option<[f64; 3]>,
+    /// Of a share of the turns by how much noise of what is read makes them look larger: its σ counts that.
+    pub dilution: Option<f64>,
     /// By how much the log-likelihood of the readings rises where it is freed.
     pub gain: f64,
     /// By how much that is more than the best of all suspects brings by chance, in 97 of 100 logs without a fault; 0 at

@@ -16,7 +16,7 @@
 
 use crate::drive::beside::{by_itself, explained, hoist};
 use crate::drive::course::{Course, Otherwise};
-use crate::drive::diluted::diluted;
+use crate::drive::diluted::{diluted, noisy_turns};
 use crate::drive::evidence::{Against, Evidence, Trial};
 use crate::drive::exchange::pairs;
 use crate::drive::fault::Fault;
@@ -243,6 +243,7 @@ impl Verdict {
         stand(&mut self.suspects, hoisted || self.sole);
         stairs(drive, &mut self.suspects, &places, &self.scope);
         diluted(drive, &mut self.suspects);
+        noisy_turns(drive, &mut self.suspects, &places, &self.scope);
         if !hoisted {
             may_be_own(drive, &mut self.suspects, &self.first, &self.scope, own_delay);
         }

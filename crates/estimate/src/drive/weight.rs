@@ -123,6 +123,7 @@ mod tests {
             landmarks: Vec::new(),
             sizes: alloc::vec![Size { now, value, sigma, end: false }],
             claims: None,
+            dilution: None,
             gain: 9.0,
             excess: 5.0,
             standing: Standing::Cleared,
