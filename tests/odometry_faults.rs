@@ -71,7 +71,7 @@ fn noise_in_the_turns_that_are_read_is_counted_by_the_size() {
         let [_, turned] = first.sizes[..] else { panic!("{n}: {first:?}") };
         // Half of its own ± is said, and more.
         told += i32::from(first.dilution.is_some());
-        assert!(turned.sigma > first.dilution.unwrap_or(0.0), "{n}: {first:?}");
+        assert!(2.0 * turned.sigma > first.dilution.unwrap_or(0.0), "{n}: {first:?}");
         within += i32::from((turned.value - (1.0 / 0.85 - 1.0)).abs() < 2.0 * turned.sigma);
     }
     assert!(within >= 7 && told >= 5, "{within} of 8 within two of the ±, {told} said");

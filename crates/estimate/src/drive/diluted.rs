@@ -4,19 +4,32 @@
 use crate::drive::evidence::Trial;
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
+use crate::drive::gaps::median;
 use crate::drive::round::{Round, Scope};
-use crate::drive::row::{Drive, Event};
+use crate::drive::row::{Drive, Event, Row};
 use crate::drive::suspect::{Size, Standing, Suspect};
 use crate::drive::tried::Tried;
+use alloc::vec::Vec;
 
-/// Over so long turns are summed, s: about as long as readings need to tell one.
+/// Over so long turns are summed, s: about as long as ranges and fixes need to tell one.
 const WINDOW: f64 = 1.0;
 /// So many times that part, and so many of its own standard deviations, a share of the turns may be.
 const TIMES: f64 = 2.0;
 const SIGMAS: f64 = 2.0;
 
-/// The mean square of the turn of a second that is read, rad².
-fn squared(drive: &Drive) -> f64 {
+/// How long readings need to tell a turn at least, s: a bearing or a heading tells it at once.
+fn shortest(drive: &Drive) -> f64 {
+    let tells = |row: &&Row| matches!(row.event, Event::Heading { .. } | Event::RangeBearing { .. });
+    let mut times: Vec<f64> = drive.rows.iter().filter(tells).map(|row| row.time).collect();
+    times.dedup();
+    match median(times.windows(2).map(|pair| pair[1] - pair[0])) {
+        step if step > 0.0 => step.min(WINDOW),
+        _ => WINDOW,
+    }
+}
+
+/// The mean square of the turn of so long a time that is read, rad².
+fn squared(drive: &Drive, window: f64) -> f64 {
     let (mut sum, mut count, mut turned, mut from) = (0.0, 0.0, 0.0, None::<f64>);
     let (mut held, mut last) = (0.0, None::<f64>);
     for row in drive.rows.iter().filter(|row| row.event.is_motion()) {
@@ -27,7 +40,7 @@ fn squared(drive: &Drive) -> f64 {
             Event::Velocity { omega, .. } | Event::TurnRate { omega } => held = omega,
             _ => {}
         }
-        if row.time - began >= WINDOW {
+        if row.time - began >= window - ROUNDED {
             (sum, count, turned, from) = (sum + turned * turned, count + 1.0, 0.0, Some(row.time));
         }
     }
@@ -35,9 +48,9 @@ fn squared(drive: &Drive) -> f64 {
 }
 
 /// Which part of the square of what is read is noise, of which each second has σ².
-fn part(noise: f64, drive: &Drive) -> f64 {
-    let squared = squared(drive);
-    if squared > 0.0 { (noise * noise * WINDOW / squared).min(1.0) } else { 0.0 }
+fn part(noise: f64, drive: &Drive, window: f64) -> f64 {
+    let squared = squared(drive, window);
+    if squared > 0.0 { (noise * noise * window / squared).min(1.0) } else { 0.0 }
 }
 
 /// The share of the turns that was found.
@@ -50,7 +63,7 @@ fn turned(suspect: &mut Suspect) -> Option<&mut Size> {
 pub(crate) fn diluted(drive: &Drive, suspects: &mut [Suspect]) {
     let sigma = |suspect: &Suspect| suspect.number == Some(Fitted::SigmaTurn) && suspect.fault == Fault::Sigma;
     let noise = suspects.iter().find(|it| sigma(it)).and_then(|it| it.sizes.first()).map(|it| it.value.max(it.now));
-    let Some(part) = noise.map(|noise| part(noise, drive)) else { return };
+    let Some(part) = noise.map(|noise| part(noise, drive, WINDOW)) else { return };
     for suspect in suspects.iter_mut().filter(|it| it.standing != Standing::Cleared) {
         let Some(Size { value, sigma, .. }) = turned(suspect).copied() else { continue };
         // Distances that are off are a fault of their own.
@@ -61,8 +74,8 @@ pub(crate) fn diluted(drive: &Drive, suspects: &mut [Suspect]) {
     }
 }
 
-/// Says of a share of the turns that is named first which part of it noise may be, as it is once the share is mended:
-/// all of that where the noise is in what is read, and nothing where it is in what the robot does.
+/// Says of a share of the turns that is named first which part of it noise may be, as it is once the share is mended: up
+/// to all of that where the noise is in what is read, and nothing where it is in what the robot does.
 pub(crate) fn noisy_turns(drive: &Drive, suspects: &mut [Suspect], places: &[Trial], scope: &Scope) {
     let (Some(suspect), Some(place)) = (suspects.first_mut(), places.first()) else { return };
     if suspect.standing == Standing::Cleared || suspect.own || turned(suspect).is_none() {
@@ -71,21 +84,22 @@ pub(crate) fn noisy_turns(drive: &Drive, suspects: &mut [Suspect], places: &[Tri
     let mut round = Round::new(*place, alloc::vec![Tried::Number(Fitted::SigmaTurn)]);
     while matches!(round.step(drive, scope), Ok(true)) {}
     let noise = round.found.first().and_then(|(found, _)| found.sizes.first()).map(|size| size.value);
-    let part = noise.map_or(0.0, |noise| part(noise, drive));
+    let part = noise.map_or(0.0, |noise| part(noise, drive, shortest(drive)));
     let Some(size) = turned(suspect).filter(|size| part > LITTLE * size.sigma) else { return };
-    size.sigma = libm::hypot(size.sigma, part);
+    size.sigma = libm::hypot(size.sigma, 0.5 * part);
     suspect.dilution = Some(part);
 }
 
+/// Times of rows are so exact, s.
+const ROUNDED: f64 = 1e-6;
 /// A part of fewer of the size's own standard deviations is passed over.
 const LITTLE: f64 = 0.5;
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drive::row::{Motion, Row};
+    use crate::drive::row::Motion;
     use crate::drive::truth::Truth;
-    use alloc::vec::Vec;
 
     #[test]
     fn the_square_is_of_the_turns_of_a_second() {
@@ -94,11 +108,11 @@ mod tests {
             |motion| Drive { landmarks: Vec::new(), truth: Truth::default(), rows: (0..9).map(row).collect(), motion };
         // The first second has the turn of the row that it begins with, too.
         let wanted = (0.25 * 0.25 + 0.2 * 0.2) / 2.0;
-        assert!((squared(&of(Motion::Odometry)) - wanted).abs() < 1e-12);
+        assert!((squared(&of(Motion::Odometry), WINDOW) - wanted).abs() < 1e-12);
         let rates = |k: i32| Row::new(0.25 * f64::from(k), Event::Velocity { v: 1.0, omega: 0.2 });
         let held = Drive { rows: (0..9).map(rates).collect(), ..of(Motion::Velocity) };
-        assert!((squared(&held) - 0.04).abs() < 1e-12, "{}", squared(&held));
+        assert!((squared(&held, WINDOW) - 0.04).abs() < 1e-12, "{}", squared(&held, WINDOW));
         let none = Drive { rows: Vec::new(), ..of(Motion::Velocity) };
-        assert_eq!(squared(&none), 0.0);
+        assert_eq!(squared(&none, WINDOW), 0.0);
     }
 }
