@@ -74,8 +74,8 @@ pub(crate) fn diluted(drive: &Drive, suspects: &mut [Suspect]) {
     }
 }
 
-/// Says of a share of the turns that is named first which part of it noise may be, as it is once the share is mended: up
-/// to all of that where the noise is in what is read, and nothing where it is in what the robot does.
+/// Says of a share of the turns that is named first which part of it noise may be, as that is once the share is mended:
+/// up to all of that where the noise is in what is read, and nothing where it is in what the robot does.
 pub(crate) fn noisy_turns(drive: &Drive, suspects: &mut [Suspect], places: &[Trial], scope: &Scope) {
     let (Some(suspect), Some(place)) = (suspects.first_mut(), places.first()) else { return };
     if suspect.standing == Standing::Cleared || suspect.own || turned(suspect).is_none() {
