@@ -89,8 +89,13 @@ pub(crate) fn hoist(first: &mut Round, mut round: Round, scope: &Scope) -> bool 
     any
 }
 
-/// Whether they are the same fault, of one sensor or of several together.
+/// Whether they are the same fault, of one sensor or of several together. Turns of the wrong sign are such of a scale
+/// below 0, and the least that is tried goes half of the way there.
 fn same(one: &Suspect, other: &Suspect) -> bool {
+    let turns = |it: &Suspect| matches!(it.fault, Fault::Mirrored | Fault::TurnScale);
+    if turns(one) && turns(other) {
+        return true;
+    }
     let of = |it: &Suspect| it.tried().numbers();
     one.fault == other.fault && one.fault != Fault::Start && of(one).iter().any(|number| of(other).contains(number))
 }
