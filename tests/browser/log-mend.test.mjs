@@ -185,7 +185,15 @@ test('σ that are fitted beside outliers come with gates and a start of their ow
   const { params } = await until(it, (frame) => frame.judgement && frame.params.gate === 0.999, 'the gate')
   assert.ok(Math.hypot(params.start[0], params.start[1]) < 0.1 && params.startSigma < 0.1, String(params.start))
   await bar.getByRole('button', { name: 'Undo' }).click()
-  await until(it, (frame) => JSON.stringify(frame.params) === JSON.stringify(before), 'all as it was')
+  await until(
+    it,
+    (frame) => frame.judgement && JSON.stringify(frame.params) === JSON.stringify(before),
+    'all as it was',
+  )
+  // The same press does the same once more: that start is still the page's own.
+  await fit.click()
+  const again = await until(it, (frame) => frame.judgement && frame.params.gate === 0.999, 'the gate once more')
+  assert.deepEqual(again.params.start, params.start)
 })
 
 /** A robot that turns either way, whose turn rates read so many times what they are. @param {number} times */

@@ -86,11 +86,11 @@ export class Forms {
     const opening = async () => {
       const { found } = await host.figure.run.opening()
       if (!found) return
-      this.started = found.start
+      this.started.push(found.start)
       this.change(found)
     }
-    /** Where the page has started this log. @type {unknown} */
-    this.started = null
+    /** Where the page has started this log: an Undo goes back to one before. @type {unknown[]} */
+    this.started = []
     /**
      * What σ that were found set besides: the start, where that is the page's own, as the first readings tell it then.
      * @param {Record<string, unknown>} patch
@@ -98,10 +98,10 @@ export class Forms {
     this.settled = async (patch) => {
       const { run: running } = host.figure
       const { start } = running.wanted.params
-      if (!start || !same(start, this.started)) return patch
+      if (!start || !this.isOwn(start)) return patch
       const { found } = await running.opening(patch)
       if (!found) return patch
-      this.started = found.start
+      this.started.push(found.start)
       return { ...patch, ...found }
     }
     this.start = new StartForm(box, this.change, { opening, smooth })
@@ -141,11 +141,12 @@ export class Forms {
    */
   begin(contents, parameters, other, names) {
     const { opening: usually, corrections } = contents
-    const [before, called, last, began] = [this.opening, this.names, this.corrections, this.started]
+    const [before, called, last] = [this.opening, this.names, this.corrections]
+    const ofReader = !this.isOwn(this.host.figure.run.wanted.params.start)
     this.corrections = corrections
     this.contents = contents
     this.opening = JSON.stringify(usually)
-    this.started = usually?.start ?? null
+    this.started = [usually?.start ?? null]
     if (other) this.names = JSON.stringify(names)
     const moved = before !== this.opening
     const { params } = this.host.figure.run.wanted
@@ -155,7 +156,7 @@ export class Forms {
     if (!other) {
       // A press that reads turns or places otherwise leaves a start that the reader has set; a cut begins elsewhere.
       const corrected = last && !sameCorrections(last, corrections)
-      const set = corrected && same(last.kept, corrections.kept) && !same(params.start, began)
+      const set = corrected && same(last.kept, corrections.kept) && ofReader
       if (moved && !set) this.change({ ...untold, ...opening })
       return null
     }
@@ -196,8 +197,13 @@ export class Forms {
     const moved = ['antennaAhead', 'antennaLeft'].some((name) => name in patch && patch[name] !== params?.[name])
     if (!moved || !params.start || this.contents?.truth !== false) return {}
     const start = patch.start ?? startBelow(params, patch)
-    if (same(params.start, this.started)) this.started = start
+    if (this.isOwn(params.start)) this.started.push(start)
     return { start }
+  }
+
+  /** Whether the page has found a start, and no reader set it. @param {unknown} start */
+  isOwn(start) {
+    return this.started.some((one) => same(one, start))
   }
 
   /** Whether the filter uses any of the log’s readings. */

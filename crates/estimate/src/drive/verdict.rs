@@ -116,7 +116,6 @@ impl Verdict {
         let most = most_delay(duration);
         let settled = course.start() + most + SETTLED;
         let paced = Paced::new(drive, &settings);
-        let moves = judged.iter().filter(|row| row.event.is_motion()).count();
         let share = CHANCE / tried.len() as f64;
         let chance = |freedom: u32| chi2_quantile(freedom, 1.0 - share).map(|quantile| 0.5 * quantile);
         let scope = Scope {
@@ -126,7 +125,7 @@ impl Verdict {
             pairs: pairs(drive.landmarks.len()).max(1) as f64,
             from: judged.partition_point(|row| row.time < settled) as u32,
             most,
-            period: duration / moves.max(1) as f64,
+            period: duration / judged.iter().filter(|row| row.event.is_motion()).count().max(1) as f64,
             arm: paced.pace * paced.own_delay,
         };
         let first = Round::new(Trial { settings, otherwise: Otherwise::default() }, tried);
@@ -188,8 +187,7 @@ impl Verdict {
 
     /// Begins again with the gates where outliers are what they refuse; whether it does.
     fn trust_gates(&mut self) -> bool {
-        let tried = self.first.tried.len() as u32;
-        let trusts = self.gates.trust(&mut self.first);
+        let (tried, trusts) = (self.first.tried.len() as u32, self.gates.trust(&mut self.first));
         self.before += if trusts { tried } else { 0 };
         trusts
     }
@@ -261,15 +259,17 @@ impl Verdict {
             let mended =
                 Evidence::new(drive, &as_mended(place, &self.own), self.scope.rows).ok().and_then(|it| it.against);
             self.suspects[i].mended = mended;
-            let Suspect { fault, excess, .. } = self.suspects[i];
+            let Suspect { fault, excess, own, .. } = self.suspects[i];
             if excess >= HALF * refused && mended.is_none_or(|after| !refuted(fault, &before, &after)) {
                 self.suspects[..=i].rotate_right(1);
                 return;
             }
-            refused = refused.max(excess);
-            self.suspects[i].standing = Standing::Maybe;
+            // What may be no fault, and mends nothing, is none.
+            refused = refused.max(if own { 0.0 } else { excess });
+            self.suspects[i].standing = if own { Standing::Cleared } else { Standing::Maybe };
         }
-        self.other = likely > 0;
+        self.suspects.sort_by_key(|it| it.own && it.standing == Standing::Cleared);
+        self.other = likely > 0 && self.suspects.first().is_some_and(|it| it.standing != Standing::Cleared);
     }
 
     /// What has been found so far; suspects once all were looked at.
