@@ -171,7 +171,9 @@ impl Settings {
         }
         finite(self.turn_bias, "turnBias")?;
         for (name, arm) in [("antennaAhead", self.antenna[0]), ("antennaLeft", self.antenna[1])] {
-            limit(finite(arm, name)?.abs() <= MAX_ARM, name, "is beyond 100 m either way")?;
+            if finite(arm, name)?.abs() > MAX_ARM {
+                return Err(Error::new(Code::Limit, name, format!("is beyond {MAX_ARM} m either way")));
+            }
         }
         for number in self.start.into_iter().flatten() {
             finite(number, "start")?;
