@@ -7,15 +7,18 @@ use estimate::drive::{Fault, Size, Standing};
 
 fn main() -> Result<(), Error> {
     let from = std::env::args().nth(1).and_then(|word| word.parse().ok()).unwrap_or(0);
-    let names = FAULTS.map(Fault::name);
-    println!("| planted | {} | none | its number | sure | gain | within 2 σ |", names.join(" | "));
-    println!("|---|{}---|---|---|---|---|", "---|".repeat(names.len()));
-    for fault in FAULTS.map(Some).into_iter().chain([None]) {
-        let cases: Vec<Case> = match fault {
-            Some(fault) => (from..from + EACH).map(|n| planted(fault, n)).collect(),
-            None => (from..from + SOUND).map(sound).collect(),
-        };
-        row(fault, &cases)?;
+    for (how, even) in [("Rates are held from row to row.", false), ("Rates change evenly, as in tables.", true)] {
+        println!("{how}");
+        let names = FAULTS.map(Fault::name);
+        println!("| planted | {} | none | its number | sure | gain | within 2 σ |", names.join(" | "));
+        println!("|---|{}---|---|---|---|---|", "---|".repeat(names.len()));
+        for fault in FAULTS.map(Some).into_iter().chain([None]) {
+            let cases: Vec<Case> = match fault {
+                Some(fault) => (from..from + EACH).map(|n| planted(fault, n, even)).collect(),
+                None => (from..from + SOUND).map(|n| sound(n, even)).collect(),
+            };
+            row(fault, &cases)?;
+        }
     }
     Ok(())
 }

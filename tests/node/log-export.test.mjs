@@ -40,8 +40,15 @@ const EVEN = [
   }),
 ].join('\n')
 
+/** Late by different times, which parts speed and turn. */
+const LATE = { delaySpeed: 0.1, delayTurn: 0.25, delayFix: 0.3, delayHeading: -0.05 }
+
 /** @type {Record<string, { text: string, params: Record<string, unknown> }>} */
 const LOGS = {
+  'rates that change evenly, with an antenna ahead': {
+    text: CAR.replace(/^([VST]),/gm, '$1E,'),
+    params: { ...LATE, sigmaFix: 1.2, antennaAhead: 0.7, antennaLeft: -0.2, speedScale: 0.03 },
+  },
   'ranges and bearings': { text: ours('example.csv'), params: { sigmaRange: 0.1, bearingOffset: 0.02, offset: 0.05 } },
   'a gate, and a scale that was learned': {
     text: ours('plaza1.csv').split('\n').slice(0, 3000).join('\n'),
@@ -57,10 +64,7 @@ const LOGS = {
       start: [1, 0.5, 3],
       startSigma: 2,
       startSigmaHeading: 0.6,
-      delaySpeed: 0.1,
-      delayTurn: 0.25,
-      delayFix: 0.3,
-      delayHeading: -0.05,
+      ...LATE,
       speedScale: 0.03,
       turnBias: -0.01,
       sigmaFix: 1.2,

@@ -46,7 +46,8 @@ export function filterpy(frame) {
 pip install filterpy; python3 filter.py LOG, where LOG has rows of the book's own format, in which the page's button
 "Download the log's rows" writes whatever log it has read:
 L,id,x,y landmark | G,t,x,y,theta truth | O,t,distance,turn driven at t | D,t,distance,turn driven evenly until t
-V,t,v,omega | S,t,v | T,t,omega | R,t,id,range | B,t,id,range,bearing | P,t,x,y[,sigma] fix | H,t,theta[,sigma]
+V,t,v,omega | S,t,v | T,t,omega held until the next | VE, SE, TE the same, changing evenly until the next
+R,t,id,range | B,t,id,range,bearing | P,t,x,y[,sigma] fix | H,t,theta[,sigma]
 Seconds, metres, radians.
 ${learned ? 'What the filter learned is fixed here at what the log had taught where the page stood.\n' : ''}"""
 
@@ -93,14 +94,27 @@ def read(lines):
             landmarks[int(numbers[0])] = numbers[1:]
         elif letter == "G":
             truth.append(numbers)
-        elif letter == "V" and DELAY["speed"] != DELAY["turn"]:
-            rows.append((numbers[0] - DELAY["speed"], False, line, numbers[0], "S", numbers[1:2]))
-            rows.append((numbers[0] - DELAY["turn"], False, line, numbers[0], "T", numbers[2:3]))
+        elif letter[0] == "V" and DELAY["speed"] != DELAY["turn"]:
+            rows.append((numbers[0] - DELAY["speed"], False, line, numbers[0], "S" + letter[1:], numbers[1:2]))
+            rows.append((numbers[0] - DELAY["turn"], False, line, numbers[0], "T" + letter[1:], numbers[2:3]))
         else:
             late = {"D": 0.0, "O": 0.0, "V": DELAY["speed"], "S": DELAY["speed"], "T": DELAY["turn"]}
-            delay = late[letter] if letter in late else DELAY[KINDS[letter]]
+            delay = late[letter[0]] if letter[0] in late else DELAY[KINDS[letter]]
             rows.append((numbers[0] - delay, letter in KINDS, line, numbers[0], letter, numbers[1:]))
-    return landmarks, min(truth, default=None), sorted(rows, key=lambda row: row[:3])
+    return landmarks, min(truth, default=None), evenly(sorted(rows, key=lambda row: row[:3]))
+
+
+def evenly(rows):
+    """Of rates that change evenly, the mean of each row's rate and of the next one's."""
+    ahead = {}
+    for at in reversed(range(len(rows))):
+        *row, letter, numbers = rows[at]
+        if letter in ("VE", "SE", "TE"):
+            kinds = "ST" if letter == "VE" else letter[0]
+            means = [0.5 * (number + ahead.get(kind, number)) for kind, number in zip(kinds, numbers)]
+            ahead.update(zip(kinds, numbers))
+            rows[at] = (*row, letter, means)
+    return rows
 
 
 class Robot(ExtendedKalmanFilter):
@@ -154,6 +168,7 @@ def replay(landmarks, truth, rows):
         start, robot.x = truth[0], np.array(truth[1:4])
     robot.P = np.diag([START_SIGMA**2, START_SIGMA**2, START_SIGMA_HEADING**2])
     by_odometry = any(row[4] in "DO" for row in rows)
+    on_the_way = any(row[4] in ("D", "VE", "SE", "TE") for row in rows)
     # For each row the D row on whose way the robot is then.
     ways = [None] * len(rows)
     for at in reversed(range(len(rows))):
@@ -165,17 +180,17 @@ def replay(landmarks, truth, rows):
             driven = 1.0 if letter == "O" else share(way, ended, before, time) if way else None
             if driven is not None:
                 distance, turn = (way[5] if way else numbers)[:2]
-                robot.move(driven * distance, driven * turn, dt, way is not None)
+                robot.move(driven * distance, driven * turn, dt, on_the_way)
             elif not by_odometry:
-                robot.move(speed * (1 + SPEED_SCALE) * dt, (rate - TURN_BIAS) * dt, dt)
+                robot.move(speed * (1 + SPEED_SCALE) * dt, (rate - TURN_BIAS) * dt, dt, on_the_way)
             if driven is not None or not by_odometry:
                 before = max(before, time)
         ended = time if letter == "D" else ended
-        if letter == "V":
+        if letter[0] == "V":
             speed, rate = numbers
-        elif letter == "S":
+        elif letter[0] == "S":
             speed = numbers[0]
-        elif letter == "T":
+        elif letter[0] == "T":
             rate = numbers[0]
         sensor = KINDS.get(letter)
         if sensor is None or time < start or not ON[sensor]:

@@ -6,10 +6,11 @@
 //! scaled, offset and biased: a radio that reads 7 % long says y = 1.07 ρ. Such numbers are given, or they are states
 //! that the filter learns. [`Smoothed`] is the track in the light of all readings.
 //!
-//! What is read of the motion is held until the next row, and each step is driven straight along the heading at its
-//! beginning, with the turn at its end. A robot that turns on its way is therefore seen a little aside, as if its turn
-//! rate came half a step late: in a log with sparse rows of motion that looks like a clock. A [`Verdict`] asks for it,
-//! and takes no delay of up to half a step for a fault.
+//! What is read of the motion is held until the next row, unless it changes evenly ([`Motion`]), and each step is
+//! driven straight along the heading at its beginning, with the turn at its end. A robot that turns on its way is
+//! therefore seen a little aside, as if its turn rate came half a step late: in a log with sparse rows of motion that
+//! looks like a clock. A [`Verdict`] asks for it, and takes no delay of up to half a step for a fault. What is driven
+//! evenly turns on its way, and has no such delay.
 
 mod beside;
 mod course;

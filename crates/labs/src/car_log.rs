@@ -33,7 +33,7 @@ pub struct CarLog {
 
 /// What the log's filter is told, of a log by distances too, which have no delay and nothing to be learned of speeds.
 fn settings(params: &CarParams, motion: Motion) -> Settings {
-    let held = motion == Motion::Velocity;
+    let held = !motion.is_odometry();
     let gate = BySensor { fix: params.gate.then_some(GATE), ..BySensor::all(None) };
     let every = BySensor { fix: if params.fixes == CarFixes::Second { 1.0 } else { 0.0 }, ..BySensor::all(0.0) };
     Settings {

@@ -3,7 +3,7 @@
 //! the first of them on.
 
 use crate::sensed::{MISSED, READ};
-use estimate::drive::{Drive, Event, Motion, Row, SHORTEST_GAP, end_without};
+use estimate::drive::{Drive, Event, Row, SHORTEST_GAP, end_without};
 
 /// What is said of it: what ends, and what is done from there on.
 pub(crate) fn ended(drive: &Drive) -> Vec<String> {
@@ -11,14 +11,12 @@ pub(crate) fn ended(drive: &Drive) -> Vec<String> {
     let (speed, turn) =
         (end_without(rows, SHORTEST_GAP, Event::has_speed), end_without(rows, SHORTEST_GAP, Event::has_turn_rate));
     let found = match drive.motion {
-        Motion::Odometry | Motion::EvenOdometry => [
+        motion if motion.is_odometry() => [
             end_without(rows, SHORTEST_GAP, Event::is_motion).map(|of| ("motion", of, "the robot is taken to stand")),
             None,
         ],
-        Motion::Velocity if speed == turn => {
-            [speed.map(|of| ("motion", of, "the last speed and turn rate are held")), None]
-        }
-        Motion::Velocity => [
+        _ if speed == turn => [speed.map(|of| ("motion", of, "the last speed and turn rate are held")), None],
+        _ => [
             speed.map(|of| ("speed", of, "the last one is held")),
             turn.map(|of| ("turn rate", of, "the last one is held")),
         ],

@@ -11,6 +11,9 @@ use std::collections::HashMap;
 const PLACED: &str = "a landmark that is seen needs a row with its place";
 const LISTED: &str = "and sightings that name barcodes need the list of these";
 
+/// The letters of motion, in the order in which two kinds are named.
+const LETTERS: [&str; 8] = ["O", "D", "V", "S", "T", "VE", "SE", "TE"];
+
 /// A place in the files of a log: file, line and column.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CellPlace {
@@ -102,21 +105,24 @@ impl Gathering {
         self.poses.push(pose);
     }
 
-    /// A row of motion, which begins at `place`; `even`, what it says of odometry was driven evenly.
+    /// A row of motion, which begins at `place`; `even`, what it says was driven evenly.
     pub fn motion(&mut self, place: CellPlace, row: Row, even: bool) -> Result<(), Error> {
-        let (motion, letter) = match row.event {
-            Event::Velocity { .. } => (Motion::Velocity, "V"),
-            Event::Speed { .. } => (Motion::Velocity, "S"),
-            Event::TurnRate { .. } => (Motion::Velocity, "T"),
-            _ if even => (Motion::EvenOdometry, "D"),
-            _ => (Motion::Odometry, "O"),
+        let (motion, letter) = match (row.event, even) {
+            (Event::Odometry { .. }, false) => (Motion::Odometry, "O"),
+            (Event::Odometry { .. }, true) => (Motion::EvenOdometry, "D"),
+            (Event::Speed { .. }, false) => (Motion::Velocity, "S"),
+            (Event::Speed { .. }, true) => (Motion::EvenVelocity, "SE"),
+            (Event::TurnRate { .. }, false) => (Motion::Velocity, "T"),
+            (Event::TurnRate { .. }, true) => (Motion::EvenVelocity, "TE"),
+            (_, false) => (Motion::Velocity, "V"),
+            (_, true) => (Motion::EvenVelocity, "VE"),
         };
         let (first, known) = *self.motion.get_or_insert((motion, letter));
         if first != motion {
-            let pair = [known, letter];
-            let odometry = if pair.contains(&"O") { "O" } else { "D" };
-            let other = pair.into_iter().find(|letter| *letter != odometry).unwrap_or(letter);
-            return Err(place.refuse(format!("the log has {odometry} rows and {other} rows; a log moves by one kind")));
+            let mut pair = [known, letter];
+            pair.sort_by_key(|letter| LETTERS.iter().position(|it| it == letter));
+            let [one, other] = pair;
+            return Err(place.refuse(format!("the log has {one} rows and {other} rows; a log moves by one kind")));
         }
         self.reading(row);
         Ok(())
@@ -204,7 +210,7 @@ impl Gathering {
             });
         }
         let Some((motion, _)) = self.motion else {
-            let message = "the log has no motion; D, O, V, S or T rows were expected";
+            let message = "the log has no motion; D, O, V, S, T, VE, SE or TE rows were expected";
             return Err(CellPlace { column: 1, ..last }.refuse(message));
         };
         // The sort is stable: rows of one time and kind stay in the order of their lines.

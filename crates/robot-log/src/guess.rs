@@ -100,8 +100,10 @@ fn is_log(text: &str) -> bool {
     let rows = || text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')).take(40);
     let letter = |line: &str| {
         let mut letters = line.trim_start_matches(['"', '\'']).chars();
-        let first = letters.next().is_some_and(|c| "LGDOVSTRBPH".contains(c));
-        first && letters.next().is_some_and(|c| !c.is_alphanumeric() && c != '_')
+        let first = letters.next().filter(|c| "LGDOVSTRBPH".contains(*c));
+        // Rates that change evenly.
+        let next = letters.next().filter(|c| *c != 'E' || !first.is_some_and(|c| "VST".contains(c)));
+        first.is_some() && next.or_else(|| letters.next()).is_some_and(|c| !c.is_alphanumeric() && c != '_')
     };
     let strange = rows().any(|line| line.contains(['\0', '\u{fffd}']));
     let letters = rows().filter(|line| letter(line)).count();
@@ -244,7 +246,15 @@ mod tests {
 
     #[test]
     fn a_letter_and_no_more_begins_a_row_of_the_books_own_format() {
-        for (text, own) in [("O,1,2,3\n", true), ("# a\n\"O\",1\n", true), ("Odom,1\n1,2\n", false), ("t,v\n", false)] {
+        for (text, own) in [
+            ("O,1,2,3\n", true),
+            ("# a\n\"O\",1\n", true),
+            ("Odom,1\n1,2\n", false),
+            ("t,v\n", false),
+            ("VE,1,2\n", true),
+            ("PE,1\n", false),
+            ("TEMP,1\n", false),
+        ] {
             assert_eq!(is_log(text), own, "{text}");
         }
     }

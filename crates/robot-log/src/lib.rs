@@ -13,15 +13,17 @@
 //! | `V,t,v,omega` | a velocity: a speed and a turn rate in one row; m/s, rad/s |
 //! | `S,t,v` | a speed, held until the next `S` or `V` row; m/s |
 //! | `T,t,omega` | a turn rate, held until the next `T` or `V` row; rad/s |
+//! | `VE,t,v,omega` and `SE,t,v` and `TE,t,omega` | the same, of rates that change evenly until the next row |
 //! | `R,t,id,range` | a range to a landmark; m |
 //! | `B,t,id,range,bearing` | a range and a bearing, from the robot's nose to the landmark, counter-clockwise; m, rad |
 //! | `P,t,x,y[,sigma]` | a fix of the position, with its own standard deviation if it has one; m |
 //! | `H,t,theta[,sigma]` | a heading (compass, course), with its own standard deviation if it has one; rad |
 //!
-//! A log moves by `D` rows, by `O` rows or by held rows (`V`, `S`, `T`), and by one kind alone. Rows may stand in any
-//! order: [`parse`] answers them by time, at equal times motion before readings, then by line. What a log says is an
-//! [`estimate::drive::Drive`], which [`estimate::drive::Replay`] filters: from the first true pose on, else from the
-//! first fix, else from the first row. Rows of held motion before that say what is held, and others are skipped.
+//! A log moves by `D` rows, by `O` rows, by held rows (`V`, `S`, `T`) or by even ones (`VE`, `SE`, `TE`), and by one
+//! kind alone. Rows may stand in any order: [`parse`] answers them by time, at equal times motion before readings, then
+//! by line. What a log says is an [`estimate::drive::Drive`], which [`estimate::drive::Replay`] filters: from the first
+//! true pose on, else from the first fix, else from the first row. Rows of held motion before that say what is held,
+//! and others are skipped.
 //!
 //! [`Files`] reads what others write: tables of motion, sensors, sightings, landmarks and truth in their units, among
 //! them the five files of a UTIAS MRCLAM data set and what ROS, PX4, ArduPilot and phones export. How a file is read is
@@ -86,6 +88,7 @@ mod reading;
 mod role;
 mod ros;
 mod row;
+mod sampled;
 mod sensed;
 mod separator;
 mod several;

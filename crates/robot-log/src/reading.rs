@@ -13,6 +13,7 @@ use crate::other_clock::Span;
 use crate::own::Own;
 use crate::placed::Placed;
 use crate::role::Role;
+use crate::sampled;
 use crate::source::Landmark as Of;
 use crate::twice;
 use crate::way::Way;
@@ -49,6 +50,8 @@ pub(crate) struct LogReader {
     /// Whether a gyro says how the robot turned, and not the file that is being read.
     turned: bool,
     way: Way,
+    /// Whether a table says how the robot moved, and not rows in the book's own format, which say how they are meant.
+    moved_by_table: bool,
 }
 
 impl LogReader {
@@ -117,15 +120,12 @@ impl LogReader {
                 let Some([x, y]) = self.place(cells)? else { return Ok(()) };
                 let heading = cells.given("heading")?;
                 self.kept.tilted += usize::from(cells.is_tilted("heading"));
+                let pose = Pose { time, x, y, theta: heading.unwrap_or(0.0) };
                 if cells.source.is_moved() && !self.as_written {
-                    let theta = heading.unwrap_or(0.0);
-                    self.moved.poses.push((Pose { time, x, y, theta }, heading.is_some()));
+                    self.moved.poses.push((pose, heading.is_some()));
                     return Ok(());
                 }
-                match heading {
-                    Some(theta) => self.to.truth(Pose { time, x, y, theta }),
-                    None => self.without_heading.push(Pose { time, x, y, theta: 0.0 }),
-                }
+                if heading.is_some() { self.to.truth(pose) } else { self.without_heading.push(pose) }
             }
             Role::Sightings => {
                 let columns = ["landmark", "range", "bearing"].map(|value| cells.source.column(value));
@@ -224,6 +224,7 @@ impl LogReader {
     }
 
     fn motion(&mut self, start: CellPlace, time: f64, event: Event) -> Result<(), Error> {
+        self.moved_by_table = true;
         self.to.begin(start)?;
         self.to.motion(start, Row::new(time, event), true)
     }
@@ -239,13 +240,11 @@ impl LogReader {
     fn place(&mut self, cells: Cells<'_>) -> Result<Option<[f64; 2]>, Error> {
         let (latitude, longitude) = (cells.given("latitude")?, cells.given("longitude")?);
         if let (Some(latitude), Some(longitude)) = (latitude, longitude) {
-            if latitude.abs() > 90.0 {
-                let message = format!("the latitude is {latitude}\u{b0}; one within 90\u{b0} was expected");
-                return Err(cells.place("latitude").refuse(message));
-            }
-            if longitude.abs() > 360.0 {
-                let message = format!("the longitude is {longitude}\u{b0}; one within 360\u{b0} was expected");
-                return Err(cells.place("longitude").refuse(message));
+            for (name, degrees, most) in [("latitude", latitude, 90.0), ("longitude", longitude, 360.0)] {
+                if degrees.abs() > most {
+                    let message = format!("the {name} is {degrees}\u{b0}; one within {most}\u{b0} was expected");
+                    return Err(cells.place(name).refuse(message));
+                }
             }
             // Receivers say so before they have a fix.
             if latitude == 0.0 && longitude == 0.0 {
@@ -290,6 +289,7 @@ impl LogReader {
         let file = |row: &Row| Some(self.files.iter().find(|(_, end)| (row.line as usize) < *end)?.0.as_str());
         notes.extend(crate::no_value::left_out(&mut log.drive.rows));
         notes.extend(twice::left_out(&mut log.drive.rows));
+        notes.extend(self.moved_by_table.then(|| sampled::held(&mut log.drive)).flatten());
         notes.extend(notes::times(&log.drive, file));
         notes.extend(frames::apart(&log.drive));
         notes.extend(notes::lacking(&log.drive));

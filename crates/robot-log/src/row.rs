@@ -9,13 +9,13 @@ use estimate::drive::{Event, Pose, Row};
 pub const MAX_TIME: f64 = 1e11;
 
 /// The letters, as an error lists them.
-const LETTERS: &str = "L, G, D, O, V, S, T, R, B, P or H";
+const LETTERS: &str = "L, G, D, O, V, S, T, VE, SE, TE, R, B, P or H";
 
 /// A row as it is read, where a sighting names its landmark by id and may stand before it.
 pub(crate) enum Read {
     Landmark(Landmark),
     Truth(Pose),
-    /// Whether odometry of it was driven evenly.
+    /// Whether it was driven evenly.
     Motion(Row, bool),
     /// A reading of the robot's own position or heading.
     Pose(Row),
@@ -38,6 +38,9 @@ pub(crate) fn read(line: &Line<'_>) -> Result<Read, Error> {
         "V" => "V,t,v,omega",
         "S" => "S,t,v",
         "T" => "T,t,omega",
+        "VE" => "VE,t,v,omega",
+        "SE" => "SE,t,v",
+        "TE" => "TE,t,omega",
         "P" => "P,t,x,y[,sigma]",
         "H" => "H,t,theta[,sigma]",
         "R" => "R,t,id,range",
@@ -65,9 +68,12 @@ pub(crate) fn read(line: &Line<'_>) -> Result<Read, Error> {
             let row = Row::new(time()?, Event::Odometry { distance: number(2)?, turn: number(3)? });
             Read::Motion(row, even == "D")
         }
-        "V" => Read::Motion(Row::new(time()?, Event::Velocity { v: number(2)?, omega: number(3)? }), false),
-        "S" => Read::Motion(Row::new(time()?, Event::Speed { v: number(2)? }), false),
-        "T" => Read::Motion(Row::new(time()?, Event::TurnRate { omega: number(2)? }), false),
+        even @ ("V" | "VE") => {
+            let row = Row::new(time()?, Event::Velocity { v: number(2)?, omega: number(3)? });
+            Read::Motion(row, even == "VE")
+        }
+        even @ ("S" | "SE") => Read::Motion(Row::new(time()?, Event::Speed { v: number(2)? }), even == "SE"),
+        even @ ("T" | "TE") => Read::Motion(Row::new(time()?, Event::TurnRate { omega: number(2)? }), even == "TE"),
         "P" => Read::Pose(Row::new(time()?, Event::Position { x: number(2)?, y: number(3)?, sigma: sigma(4)? })),
         "H" => Read::Pose(Row::new(time()?, Event::Heading { theta: number(2)?, sigma: sigma(3)? })),
         "R" => {

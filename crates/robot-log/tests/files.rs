@@ -95,7 +95,7 @@ fn the_five_files_of_mrclam_are_understood_as_they_are() {
                 Event::Velocity { v: 0.0, omega: 0.0 },
             ]
         );
-        assert_eq!((log.drive.motion, log.drive.truth.poses()[0].theta), (Motion::Velocity, 0.3));
+        assert_eq!((log.drive.motion, log.drive.truth.poses()[0].theta), (Motion::EvenVelocity, 0.3));
         assert_eq!(
             notes,
             ["1 reading left out: no list has the barcode.", "1 reading left out: another robot was seen."]

@@ -47,6 +47,42 @@ fn odometry_is_driven_evenly_in_rows_of_its_own_and_in_tables() {
     assert_eq!(read.rows[1].event, Event::Odometry { distance: 0.2, turn: 0.03 });
 }
 
+/// A table of speeds and turn rates at these times.
+fn rates(times: impl Iterator<Item = f64>) -> estimate::drive::Drive {
+    let rows: Vec<String> = times.map(|time| format!("{time},0.5,0.1\n")).collect();
+    let mut files = robot_log::Files::default();
+    files.add("motion.csv", &format!("time_s,v_mps,omega_radps\n{}", rows.concat())).expect("short");
+    let read = files.read().expect("sound");
+    let held = read.notes.iter().any(|note| note.contains("is held until the next"));
+    assert_eq!(held, read.log.drive.motion == Motion::Velocity, "what is held is said: {:?}", read.notes);
+    read.log.drive
+}
+
+#[test]
+fn rates_change_evenly_in_rows_of_their_own_and_in_tables_of_equal_steps() {
+    let held = "V,0,0.5,0.1\nS,1,0.7\nT,1,0.2\n";
+    let even = parse(&held.replace("V,", "VE,").replace("S,", "SE,").replace("T,", "TE,")).expect("sound").drive;
+    assert_eq!(even, estimate::drive::Drive { motion: Motion::EvenVelocity, ..parse(held).expect("sound").drive });
+    // Ten a second, each a little late, and now and then one is lost.
+    let jitter = |k: u32| 0.1 * f64::from(k) + 0.02 * f64::from(k * k % 7) / 7.0;
+    assert_eq!(rates((0..200).filter(|k| k % 25 != 7).map(jitter)).motion, Motion::EvenVelocity);
+}
+
+#[test]
+fn rates_that_are_written_when_they_change_are_held() {
+    let mut time = 0.0;
+    let changes = (0..60).map(|k: u32| {
+        time += [0.3, 4.0, 1.1, 0.2, 7.5, 2.6, 0.4][(k * k % 7) as usize];
+        time
+    });
+    assert_eq!(rates(changes).motion, Motion::Velocity);
+    // In the book's own format the letter says it.
+    let own = "VE,0,1,0\nVE,0.1,1,0\nVE,0.2,1,0\nVE,9,1,0\nVE,9.1,1,0\nVE,30,1,0\n";
+    let mut files = robot_log::Files::default();
+    files.add("own.csv", own).expect("short");
+    assert_eq!(files.read().expect("sound").log.drive.motion, Motion::EvenVelocity);
+}
+
 #[test]
 fn at_one_time_motion_comes_before_sightings_and_lines_keep_their_order() {
     let log = parse("R,1,7,1\nR,1,7,2\nV,1,0,0\nL,7,0,0\nV,-0.0,1,1\nR,0,7,3\n").expect("sound");

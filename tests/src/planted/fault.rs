@@ -35,21 +35,25 @@ pub struct Case {
     pub size: f64,
 }
 
-/// A sound log: half of them have a truth.
-pub fn sound(n: u64) -> Case {
-    let world = &WORLDS[n as usize % WORLDS.len()];
+/// A sound log: half of them have a truth. `even`, rates change evenly from row to row, as of tables.
+pub fn sound(n: u64, even: bool) -> Case {
+    let world = worlds(even)[n as usize % WORLDS.len()];
     let truth = (n / WORLDS.len() as u64).is_multiple_of(2);
     let log = world.sound(100_000 + n, truth);
     Case { log, world: world.name, truth, fault: None, number: None, effect: 0.0, size: 0.0 }
 }
 
+fn worlds(even: bool) -> [World; WORLDS.len()] {
+    WORLDS.map(|world| if even { world.even() } else { world })
+}
+
 /// The n-th log with this fault: half of them have a truth.
-pub fn planted(fault: Fault, n: u64) -> Case {
+pub fn planted(fault: Fault, n: u64, even: bool) -> Case {
     let kind = FAULTS.iter().position(|one| *one == fault).unwrap_or(FAULTS.len());
     let seed = 1000 * SEEDS[kind] + n;
     let mut noise = Noise::new(seed);
-    let worlds: Vec<&World> = WORLDS.iter().filter(|world| has(world, fault)).collect();
-    let (world, truth) = (worlds[(n / 2) as usize % worlds.len()], n.is_multiple_of(2));
+    let worlds: Vec<World> = worlds(even).into_iter().filter(|world| has(world, fault)).collect();
+    let (world, truth) = (&worlds[(n / 2) as usize % worlds.len()], n.is_multiple_of(2));
     let log = world.sound(seed + 500_000, truth);
     let effect = 5.0 + 5.0 * noise.uniform();
     let sign = if noise.uniform() < 0.5 { -1.0 } else { 1.0 };

@@ -21,6 +21,8 @@ pub struct World {
     pub speed: f64,
     /// Whether the motion is read as `O` rows, else as speeds and turn rates.
     pub odometry: bool,
+    /// Whether speeds and turn rates change evenly from row to row, as of a robot that is read, and not at the rows.
+    pub even: bool,
     /// Seconds.
     pub duration: f64,
     /// Seconds between rows of motion.
@@ -40,6 +42,7 @@ pub const WORLDS: [World; 5] = [
         periods: [0.25, 0.0, 0.0],
         speed: 1.0,
         odometry: false,
+        even: false,
         duration: 100.0,
         period: 0.1,
         arcs: false,
@@ -52,6 +55,7 @@ pub const WORLDS: [World; 5] = [
         periods: [0.4, 0.0, 0.0],
         speed: 0.7,
         odometry: false,
+        even: false,
         duration: 80.0,
         period: 0.1,
         arcs: false,
@@ -64,6 +68,7 @@ pub const WORLDS: [World; 5] = [
         periods: [0.0, 0.5, 0.0],
         speed: 8.0,
         odometry: false,
+        even: false,
         duration: 160.0,
         period: 0.1,
         arcs: false,
@@ -76,6 +81,7 @@ pub const WORLDS: [World; 5] = [
         periods: [0.0, 0.5, 0.3],
         speed: 2.0,
         odometry: false,
+        even: false,
         duration: 120.0,
         period: 0.1,
         arcs: false,
@@ -88,6 +94,7 @@ pub const WORLDS: [World; 5] = [
         periods: [0.3, 0.0, 0.0],
         speed: 0.8,
         odometry: true,
+        even: false,
         duration: 110.0,
         period: 0.1,
         arcs: false,
@@ -105,6 +112,7 @@ const TURNING: World = World {
     periods: [0.0, 0.5, 0.0],
     speed: 1.5,
     odometry: false,
+    even: false,
     duration: 200.0,
     period: 0.1,
     arcs: true,
@@ -122,8 +130,15 @@ pub struct Log {
 
 /// A robot stands so long at first, s.
 const REST: f64 = 2.0;
+/// So long it takes to get going, where rates change evenly, s.
+const STARTS: f64 = 1.0;
 
 impl World {
+    /// The same world, whose robot changes its rates evenly and turns on its way, as tables of speeds are read.
+    pub fn even(self) -> Self {
+        Self { even: true, arcs: true, ..self }
+    }
+
     /// A drive through it without a fault: the robot stands, then drives in loops at changing speed. Where there is no
     /// truth, the start is known as well as its standard deviations say.
     pub fn sound(&self, seed: u64, truth: bool) -> Log {
@@ -136,6 +151,8 @@ impl World {
         let speed = |t: f64| self.speed * (1.0 + 0.6 * libm::sin(TAU * t / slow + a));
         let rate = |t: f64| side * 0.15 + 0.35 * libm::sin(TAU * t / swing + b);
         let read = |t: f64| if t < REST { [0.0; 2] } else { [speed(t), rate(t)] };
+        // What changes evenly does not jump at the start.
+        let started = |t: f64| read(t).map(|rate| rate * ((t - REST) / STARTS).clamp(0.0, 1.0));
         let mut rows = Vec::new();
         let mut pose = [0.0, 0.0, 2.0 * PI * (drawn() - 0.5)];
         let begin = pose;
@@ -144,7 +161,9 @@ impl World {
         for (at, what) in self.moments() {
             let dt: f64 = at - time;
             let root = dt.sqrt();
-            let [d, turn] = held.map(|held| held * dt);
+            // The rate half-way has the integral over a short time, but for its third order.
+            let rates = if self.even { started(0.5 * (time + at)) } else { held };
+            let [d, turn] = rates.map(|rate| rate * dt);
             let true_d = d + settings.sigma_distance * root * noise.normal();
             let true_turn = turn + settings.sigma_turn * root * noise.normal();
             let half = if self.arcs { 0.5 * true_turn } else { 0.0 };
@@ -155,7 +174,7 @@ impl World {
             let event = match what {
                 0 => {
                     poses.push(Pose { time, x: pose[0], y: pose[1], theta: pose[2] });
-                    held = read(time);
+                    held = if self.even { started(time) } else { read(time) };
                     let [distance, turn] = core::mem::take(&mut since);
                     if self.odometry {
                         Event::Odometry { distance, turn }
@@ -177,7 +196,11 @@ impl World {
             let off = [place, place, heading].map(|sigma| sigma * noise.normal());
             settings.start = Some([begin[0] + off[0], begin[1] + off[1], begin[2] + off[2]]);
         }
-        let motion = if self.odometry { Motion::EvenOdometry } else { Motion::Velocity };
+        let motion = match (self.odometry, self.even) {
+            (true, _) => Motion::EvenOdometry,
+            (_, true) => Motion::EvenVelocity,
+            _ => Motion::Velocity,
+        };
         let truth = Truth::new(if truth { poses } else { Vec::new() });
         Log { drive: Drive { landmarks, truth, rows, motion }, settings }
     }

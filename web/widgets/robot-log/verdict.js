@@ -69,7 +69,8 @@ function sentences(judgement, truth, log) {
     // What may be no fault is not to be set.
     if (suspect.own && suspect.fault === 'clock')
       return `${late(suspect, size.value - size.now)}. ${inPart(suspect, judgement)}`
-    const more = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : inPart(suspect, judgement)
+    const part = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : inPart(suspect, judgement)
+    const more = part || (log?.motion === 'velocity' ? asMean(suspect, judgement) : '')
     return `${sentence(suspect, truth, log)}${more && ` ${more}`}`
   }
   // A larger σ explains any error of the model, and with it this one gains less than the page's own sum shows.
@@ -141,6 +142,23 @@ function inPart({ fault, own, name, sizes, dilution }, judgement) {
   const part = `${all ? `All of it, less than ${step},` : `Of it ${step},`} may be the motion model’s own`
   if (own && all) return `${part}: it may be no fault.`
   return own ? `${part}, and chance explains what is left nearly as well: it may be no fault.` : `${part}.`
+}
+
+/** Between these parts of a step a delay is about half of it. */
+const HALF = [0.3, 0.7]
+
+/**
+ * What a delay of half a step may come from, where the motion model has none of its own.
+ * @param {Suspect} suspect @param {LogJudgement} judgement
+ */
+function asMean({ fault, name, sizes: [size] }, { period, ownDelay }) {
+  if (fault !== 'clock' || ownDelay > 0) return ''
+  const off = size.value - size.now
+  const late = name === 'delaySpeed' || name === 'delayTurn' ? off : -off
+  const [least, most] = HALF.map((part) => part * period)
+  return least < late && late < most
+    ? `It is about half of a step of the motion, ${brief(period)} s: means over the step before are so late.`
+    : ''
 }
 
 /** What a robot that turns on its way would bring. @param {LogJudgement} judgement */

@@ -4,7 +4,7 @@ use crate::drive::learned::Which;
 use crate::drive::row::{Drive, Event, Motion};
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::settings::{Delays, Settings};
-use crate::drive::step::{Step, order, step, way, ways};
+use crate::drive::step::{Step, at_rates, means, order, step, way, ways};
 use crate::error::Error;
 use crate::landmark::Landmark;
 use alloc::vec::Vec;
@@ -70,6 +70,8 @@ pub struct Course {
     /// Of odometry that is driven evenly, for each step the row of odometry that is next, itself included; behind the
     /// last none.
     ways: Vec<u32>,
+    /// Of rates that change evenly, by row: their means until the next row of their kind.
+    means: Vec<[f64; 2]>,
     steps: usize,
     start: f64,
     pose: SE2,
@@ -105,13 +107,11 @@ impl Course {
         let steps = order.as_ref().map_or(drive.rows.len(), Vec::len);
         let (start, pose, motion) = (0.0, SE2::new(0.0, 0.0, 0.0), drive.motion);
         let otherwise = Otherwise::default();
-        let ways = match motion {
-            Motion::EvenOdometry => ways(drive, order.as_deref()),
-            _ => Vec::new(),
-        };
+        let ways = if motion == Motion::EvenOdometry { ways(drive, order.as_deref()) } else { Vec::new() };
+        let means = if motion == Motion::EvenVelocity { means(drive) } else { Vec::new() };
         let map = None;
         let mut course =
-            Self { settings, motion, order, splits, ways, steps, start, pose, gates, sensors, otherwise, map };
+            Self { settings, motion, order, splits, ways, means, steps, start, pose, gates, sensors, otherwise, map };
         if let Some(first) = drive.truth.poses().first() {
             course.start = first.time;
             course.pose = SE2::new(first.x, first.y, first.theta);
@@ -245,7 +245,8 @@ impl Course {
             Some(order) => *order.get(position)?,
         };
         let step = step(drive, code, &self.settings.delays)?;
-        Some(Step { way: self.ways.get(position).and_then(|row| way(drive, *row)), ..step })
+        let event = self.means.get(step.row).map_or(step.event, |means| at_rates(step.event, *means));
+        Some(Step { event, way: self.ways.get(position).and_then(|row| way(drive, *row)), ..step })
     }
 
     /// Which numbers are learned.

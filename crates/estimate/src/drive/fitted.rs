@@ -1,7 +1,7 @@
 //! The numbers that a fit may find, and how it moves them: a σ by its logarithm, others as they are.
 
 use crate::drive::course::Course;
-use crate::drive::row::{Drive, Event, Motion};
+use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::Sensor;
 use crate::drive::settings::Settings;
 use alloc::vec::Vec;
@@ -98,7 +98,7 @@ impl Fitted {
         let there = |which: Self, is: bool| drive.rows.iter().any(|row| own(&row.event) == Some((which, is)));
         let (fix, heading) = (sensors.fix && s.fixes, sensors.heading && s.headings);
         let (range, bearing) = (sensors.range && s.sightings, sensors.bearing && s.sightings);
-        let (sighting, held) = (range || bearing, drive.motion == Motion::Velocity);
+        let (sighting, held) = (range || bearing, !drive.motion.is_odometry());
         let several = [fix, heading, sighting].into_iter().filter(|it| *it).count() > 1;
         let has = |is: fn(&Event) -> bool| drive.rows.iter().any(|row| is(&row.event));
         let turns = has(|event| matches!(event, Event::Velocity { .. } | Event::TurnRate { .. }));

@@ -118,10 +118,10 @@ fn by_kind(rows: &[Row], motion: Motion, long: impl Fn(fn(&Event) -> bool) -> Ve
 pub fn lacks(rows: &[Row], motion: Motion) -> Option<Missing> {
     let has = |is: fn(&Event) -> bool| rows.iter().any(|row| is(&row.event));
     match motion {
-        Motion::Odometry | Motion::EvenOdometry => None,
-        Motion::Velocity if !has(Event::has_turn_rate) => Some(Missing::TurnRate),
-        Motion::Velocity if !has(Event::has_speed) => Some(Missing::Speed),
-        Motion::Velocity => None,
+        _ if motion.is_odometry() => None,
+        _ if !has(Event::has_turn_rate) => Some(Missing::TurnRate),
+        _ if !has(Event::has_speed) => Some(Missing::Speed),
+        _ => None,
     }
 }
 

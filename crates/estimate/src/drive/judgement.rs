@@ -135,10 +135,10 @@ fn delayed(suspect: &Suspect) -> Option<(Vec<Fitted>, f64)> {
 
 /// How long a delay the motion model may have as its own, with motion about every `period` seconds. The robot drives
 /// straight and turns then, which is half a step; a speed or turn rate is held for a step besides, which is another.
-/// Odometry that is driven evenly has none.
+/// What is driven evenly has none.
 pub(crate) fn own_delay(motion: Motion, arcs: bool, period: f64) -> f64 {
     match motion {
-        Motion::EvenOdometry => 0.0,
+        Motion::EvenOdometry | Motion::EvenVelocity => 0.0,
         Motion::Velocity if !arcs => period,
         _ => 0.5 * period,
     }

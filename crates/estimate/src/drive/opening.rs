@@ -6,7 +6,7 @@
 
 use super::opening_parabola::parabola;
 use super::opening_trust::{FIRST, Held, tells, trusted as trusted_of};
-use super::{Course, Drive, Event, Motion, Replay, Settings, Truth};
+use super::{Course, Drive, Event, Replay, Settings, Truth};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 use geom::{SE2, wrap};
@@ -265,7 +265,7 @@ fn likelihood(stretch: &Drive, settings: &Settings, pose: Vector3<f64>, small: f
     let Settings { antenna, .. } = *settings;
     let usual = Settings { sigma_distance, sigma_turn, sigma_fix, fix_sigma_scale, antenna, ..Settings::default() };
     // Scale of the speed and bias of the turn rate are not known here: they may be what their states begin with.
-    let held = stretch.motion == Motion::Velocity;
+    let held = !stretch.motion.is_odometry();
     let usual = Settings { learn_speed: held, learn_bias: held, ..usual };
     let told = Settings { start, start_sigma: small, start_sigma_heading: KNOWN, ..usual };
     let course = Course::new(stretch, told).ok()?;

@@ -1,7 +1,7 @@
 //! How far a robot drives in a second: what the noise of its distance is to be held against.
 
 use crate::drive::judgement::{own_delay, period};
-use crate::drive::row::{Drive, Event, Motion};
+use crate::drive::row::{Drive, Event};
 use crate::drive::settings::Settings;
 
 /// What a fit's numbers are held against.
@@ -54,7 +54,7 @@ pub(crate) fn pace(drive: &Drive, settings: &Settings) -> f64 {
 
 /// Half of the mean turn of a step, rad, counted by its distance; 0 where the robot never drives, or turns on its way.
 pub(crate) fn half_turn(drive: &Drive) -> f64 {
-    if drive.motion == Motion::EvenOdometry {
+    if drive.motion.is_even() {
         return 0.0;
     }
     let sum = |(way, turned), Step { distance, turn, .. }: Step| (way + distance.abs(), turned + distance.abs() * turn);
@@ -65,7 +65,7 @@ pub(crate) fn half_turn(drive: &Drive) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drive::row::Row;
+    use crate::drive::row::{Motion, Row};
     use crate::drive::truth::Truth;
     use alloc::vec::Vec;
 

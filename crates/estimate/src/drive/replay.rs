@@ -4,7 +4,7 @@ use crate::drive::course::{Course, Fate, Otherwise};
 use crate::drive::filter::{Filter, Move};
 use crate::drive::learned::Rolling;
 use crate::drive::read::reading;
-use crate::drive::row::{Drive, Event, Motion};
+use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::statistics::{Errors, Judged, Statistics};
 use crate::drive::step::Step;
@@ -37,9 +37,10 @@ pub struct Taken {
 /// Over dt seconds, with the distance d and the turn a at the heading θ,
 /// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v
 /// and turn rates ω are held and move the estimate to the time of every later row, by d = v (1 + κ) dt and
-/// a = (ω − b) dt. `D` rows bring d and a that were driven evenly since the row before: they move the estimate to the
-/// time of every later row by the share of that time, along the heading half-way through its turn, θ + a/2. A reading
-/// is gated by its d² and taken in Joseph's form.
+/// a = (ω − b) dt. Rates that change evenly do so by the mean of a row's rate and the next one's. `D` rows bring d and
+/// a that were driven evenly since the row before: they move the estimate to the time of every later row by the share
+/// of that time. Both drive along the heading half-way through the turn, θ + a/2. A reading is gated by its d² and
+/// taken in Joseph's form.
 ///
 /// # Example
 /// ```
@@ -152,15 +153,15 @@ impl Replay {
         let u = match (step.way, step.event) {
             (Some(way), _) => self.on(way, step.time)?,
             (None, Event::Odometry { distance, turn }) => Vector2::new(distance, turn),
-            _ if course.moves_by() == Motion::Velocity => self.held * dt,
-            _ => return None,
+            _ if course.moves_by().is_odometry() => return None,
+            _ => self.held * dt,
         };
         let much = if mirrored { -1.0 - much } else { 1.0 + much };
         let u = Vector2::new((1.0 + far) * u[0], much * u[1]);
         let s = course.settings();
         let noise = Matrix2::new(s.sigma_distance * s.sigma_distance, 0.0, 0.0, s.sigma_turn * s.sigma_turn) * dt;
         // What is driven evenly turns on the way.
-        let arcs = arcs || step.way.is_some();
+        let arcs = arcs || course.moves_by().is_even();
         Some(Move { u, rolling: Rolling { dt, speed_scale: s.speed_scale, turn_bias: s.turn_bias, arcs }, noise })
     }
 

@@ -14,19 +14,19 @@ pub enum Event {
         /// rad.
         turn: f64,
     },
-    /// A speed and a turn rate in one, held until the next.
+    /// A speed and a turn rate in one; [`Motion`] says what the robot does until the next.
     Velocity {
         /// m/s.
         v: f64,
         /// rad/s.
         omega: f64,
     },
-    /// A speed, held until the next.
+    /// A speed.
     Speed {
         /// m/s.
         v: f64,
     },
-    /// A turn rate, held until the next.
+    /// A turn rate.
     TurnRate {
         /// rad/s.
         omega: f64,
@@ -94,12 +94,20 @@ pub enum Motion {
     EvenOdometry,
     /// By speeds and turn rates, each held until the next.
     Velocity,
+    /// By speeds and turn rates that were read of a robot which changes them evenly from one row to the next. Between
+    /// two rows of a rate the robot drives with the mean of both, and turns on its way.
+    EvenVelocity,
 }
 
 impl Motion {
     /// Whether it is by distances and turns, and not by speeds and turn rates.
     pub fn is_odometry(self) -> bool {
-        self != Self::Velocity
+        matches!(self, Self::Odometry | Self::EvenOdometry)
+    }
+
+    /// Whether the robot drives evenly between two rows, and turns on its way.
+    pub fn is_even(self) -> bool {
+        matches!(self, Self::EvenOdometry | Self::EvenVelocity)
     }
 }
 

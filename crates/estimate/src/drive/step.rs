@@ -14,6 +14,7 @@ pub(crate) struct Step {
     pub stamp: f64,
     /// When it was measured: the stamp less the delay, s.
     pub time: f64,
+    /// What happened; of rates that change evenly, with their means until the next row.
     pub event: Event,
     /// Whether the row counts as taken with this step: a `V` in two halves does with its turn.
     pub counts: bool,
@@ -65,6 +66,41 @@ pub(crate) fn way(drive: &Drive, row: u32) -> Option<[f64; 3]> {
     match drive.rows.get(row as usize) {
         Some(Row { time, event: Event::Odometry { distance, turn }, .. }) => Some([*time, *distance, *turn]),
         _ => None,
+    }
+}
+
+/// Of rates that change evenly, by row: the mean of what each row reads and of what the next row of its kind does. The
+/// last of a kind is held.
+pub(crate) fn means(drive: &Drive) -> Vec<[f64; 2]> {
+    let mut next = [None; 2];
+    let mut means: Vec<[f64; 2]> = drive
+        .rows
+        .iter()
+        .rev()
+        .map(|row| {
+            let read = match row.event {
+                Event::Velocity { v, omega } => [Some(v), Some(omega)],
+                Event::Speed { v } => [Some(v), None],
+                Event::TurnRate { omega } => [None, Some(omega)],
+                _ => return [0.0; 2],
+            };
+            let mean = |i: usize| read[i].map_or(0.0, |now: f64| next[i].map_or(now, |next: f64| 0.5 * (now + next)));
+            let means = [mean(0), mean(1)];
+            next = [0, 1].map(|i| read[i].or(next[i]));
+            means
+        })
+        .collect();
+    means.reverse();
+    means
+}
+
+/// The same motion at other rates; what is no rate stays.
+pub(crate) fn at_rates(event: Event, [v, omega]: [f64; 2]) -> Event {
+    match event {
+        Event::Velocity { .. } => Event::Velocity { v, omega },
+        Event::Speed { .. } => Event::Speed { v },
+        Event::TurnRate { .. } => Event::TurnRate { omega },
+        other => other,
     }
 }
 

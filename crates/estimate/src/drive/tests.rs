@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, Matrix3};
 mod even;
 mod opening;
 mod opening_ranges;
+mod rates;
 mod sensors;
 mod smoothing;
 

@@ -4,7 +4,7 @@ use crate::drive::course::Course;
 use crate::drive::evidence::Trial;
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
-use crate::drive::row::{Drive, Event, Motion};
+use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::Sensor;
 use crate::drive::settings::{MAX_ARM, MAX_DELAY};
 use alloc::vec::Vec;
@@ -75,7 +75,7 @@ impl Tried {
             (Self::Odometry(1 + usize::from(turning)), placed && drive.motion.is_odometry()),
             (Self::Together(read), read.iter().filter(|it| **it).count() > 1),
             (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
-            (Self::TurnScale, turning && drive.motion == Motion::Velocity),
+            (Self::TurnScale, turning && !drive.motion.is_odometry()),
             // Straight on it looks like a delay.
             (Self::Antenna(2), turning && has.fix && s.fixes),
             (Self::Antenna(3), turning && has.fix && s.fixes),

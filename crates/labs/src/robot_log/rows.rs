@@ -1,7 +1,7 @@
 //! A log written in the book's own format, whatever it was read from.
 
 use super::table::write;
-use estimate::drive::{Drive, Event, Motion};
+use estimate::drive::{Drive, Event};
 
 /// What is written of a log next: its landmarks, its true poses, then its rows in the order of their lines, so that of
 /// rows measured at one time the same one is taken first when the text is read.
@@ -46,14 +46,14 @@ impl Rows {
 
 fn event(drive: &Drive, time: f64, event: &Event, to: &mut String) {
     let id = |at: usize| f64::from(drive.landmarks[at].id);
+    let even = drive.motion.is_even();
     match *event {
         Event::Odometry { distance, turn } => {
-            let letter = if drive.motion == Motion::EvenOdometry { "D" } else { "O" };
-            line(letter, &[time, distance, turn], None, to);
+            line(if even { "D" } else { "O" }, &[time, distance, turn], None, to);
         }
-        Event::Velocity { v, omega } => line("V", &[time, v, omega], None, to),
-        Event::Speed { v } => line("S", &[time, v], None, to),
-        Event::TurnRate { omega } => line("T", &[time, omega], None, to),
+        Event::Velocity { v, omega } => line(if even { "VE" } else { "V" }, &[time, v, omega], None, to),
+        Event::Speed { v } => line(if even { "SE" } else { "S" }, &[time, v], None, to),
+        Event::TurnRate { omega } => line(if even { "TE" } else { "T" }, &[time, omega], None, to),
         Event::Position { x, y, sigma } => line("P", &[time, x, y], sigma, to),
         Event::Heading { theta, sigma } => line("H", &[time, theta], sigma, to),
         Event::Range { landmark, range } => line("R", &[time, id(landmark), range], None, to),
