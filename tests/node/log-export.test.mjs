@@ -45,10 +45,6 @@ const LATE = { delaySpeed: 0.1, delayTurn: 0.25, delayFix: 0.3, delayHeading: -0
 
 /** @type {Record<string, { text: string, params: Record<string, unknown> }>} */
 const LOGS = {
-  'rates that change evenly, with an antenna ahead': {
-    text: CAR.replace(/^([VST]),/gm, '$1E,'),
-    params: { ...LATE, sigmaFix: 1.2, antennaAhead: 0.7, antennaLeft: -0.2, speedScale: 0.03 },
-  },
   'ranges and bearings': { text: ours('example.csv'), params: { sigmaRange: 0.1, bearingOffset: 0.02, offset: 0.05 } },
   'a gate, and a scale that was learned': {
     text: ours('plaza1.csv').split('\n').slice(0, 3000).join('\n'),
@@ -78,6 +74,10 @@ const LOGS = {
       every: { heading: 0.4 },
       withheld: [5, 6.5],
     },
+  },
+  'rates that change evenly, with an antenna ahead': {
+    text: CAR.replace(/^([VST]),/gm, '$1E,'),
+    params: { ...LATE, sigmaFix: 1.2, antennaAhead: 0.7, antennaLeft: -0.2, speedScale: 0.03 },
   },
 }
 const all = Object.entries(LOGS).map(([name, { text, params }], i) => {
