@@ -29,7 +29,7 @@ test('a fault is shown with its file, line and character, and in pasted rows at 
 test('each kind of fault is shown with its file, line and character', async (t) => {
   const { choose, answer } = await openLog(t)
   const faults = [
-    ['X,1,2,3', 1, /'X' is no row's letter; L, G, D, O, V, S, T, R, B, P or H was expected/],
+    ['X,1,2,3', 1, /'X' is no row's letter; L, G, D, O, V, S, T, VE, SE, TE, R, B, P or H was expected/],
     ['O,1,2', 6, /has 3 fields; 4 were expected: O,t,distance,turn/],
     ['O,1,2,3,4', 9, /has 5 fields; 4 were expected/],
     ['O,1,nan,3', 5, /distance is 'nan'; a finite number/],
@@ -51,7 +51,7 @@ test('each kind of fault is shown with its file, line and character', async (t) 
   }
   await choose(file('still.csv', 'L,7,3,4\nR,1,7,2\n# the end\n'))
   await answer
-    .getByText('still.csv, line 2, character 1: the log has no motion; D, O, V, S or T rows were expected.')
+    .getByText('still.csv, line 2, character 1: the log has no motion; D, O, V, S, T, VE, SE or TE rows were expected.')
     .waitFor()
   const picture = {
     name: 'picture.png',

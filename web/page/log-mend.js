@@ -31,6 +31,9 @@ export class MendBar {
     this.orders = orders
     this.box = document.createElement('div')
     this.box.className = 'log-mend'
+    this.box.setAttribute('role', 'group')
+    this.box.setAttribute('aria-label', 'What the verdict proposes')
+    // Here the focus waits for the next verdict: the next key sets nothing, and takes nothing back.
     this.box.tabIndex = -1
     this.presses = part(document, this.box, 'span', '')
     this.words = part(document, this.box, 'span', 'log-fitting')
@@ -114,7 +117,7 @@ export class MendBar {
     if (patch) this.keep(patch, wanted)
     else this.taken.push({ mended: remedy, before: { press: '', corrections: log?.corrections } })
     this.hide()
-    this.undoing.focus({ preventScroll: true })
+    this.box.focus({ preventScroll: true })
     this.wait()
     this.hold()
     this.mend(remedy)
@@ -157,7 +160,7 @@ export class MendBar {
     this.hold()
     this.keep(patch, wanted)
     this.orders.change(patch)
-    this.undoing.focus({ preventScroll: true })
+    this.box.focus({ preventScroll: true })
   }
 
   /** Nothing has come of a fit. @param {string} words */
@@ -195,7 +198,7 @@ export class MendBar {
   undo() {
     const last = this.taken.pop()
     if (!last) return
-    if (this.taken.length === 0) this.box.focus({ preventScroll: true })
+    this.box.focus({ preventScroll: true })
     this.wait()
     this.hold()
     this.mend(last.before)

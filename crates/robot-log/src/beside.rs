@@ -51,7 +51,7 @@ pub(crate) fn note(files: &[File]) -> Option<String> {
     let with: Vec<&str> = files.iter().filter(|file| file.has_speed()).map(File::name).collect();
     let [first, .., last] = with.as_slice() else { return None };
     Some(format!(
-        "{first} and {last} both have a speed, and each is held until the next of either: leave one out (its column \
+        "{first} and {last} both have a speed, and each leads until the next of either: leave one out (its column \
          \u{2013}) if they are of one time."
     ))
 }

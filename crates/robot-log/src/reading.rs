@@ -50,8 +50,8 @@ pub(crate) struct LogReader {
     /// Whether a gyro says how the robot turned, and not the file that is being read.
     turned: bool,
     way: Way,
-    /// Whether a table says how the robot moved, and not rows in the book's own format, which say how they are meant.
-    moved_by_table: bool,
+    /// Rows of rates that tables have: those in the book's own format say themselves how they are meant.
+    rates: usize,
 }
 
 impl LogReader {
@@ -224,9 +224,10 @@ impl LogReader {
     }
 
     fn motion(&mut self, start: CellPlace, time: f64, event: Event) -> Result<(), Error> {
-        self.moved_by_table = true;
+        let odometry = matches!(event, Event::Odometry { .. });
+        self.rates += usize::from(!odometry);
         self.to.begin(start)?;
-        self.to.motion(start, Row::new(time, event), true)
+        self.to.motion(start, Row::new(time, event), odometry)
     }
 
     fn sighting(&mut self, place: CellPlace, row: Row, seen: u32) {
@@ -266,9 +267,7 @@ impl LogReader {
     /// The log, or the part that is kept, and what was left out; its truth is brought onto the fixes by what is given.
     pub fn finish(mut self, own: Option<&Own>, kept: Option<[f64; 2]>) -> Result<Understood, Error> {
         let mut notes = self.notes;
-        if let Some(origin) = self.origin {
-            notes.push(origin.note());
-        }
+        notes.extend(self.origin.map(|origin| origin.note()));
         notes.extend(self.moved.onto(self.to.rows()));
         for (pose, known) in self.moved.poses {
             if known { self.to.truth(pose) } else { self.without_heading.push(pose) }
@@ -280,6 +279,7 @@ impl LogReader {
         notes.extend(self.landmarks.note());
         notes.extend(self.placed.onto(&mut self.to)?);
         let mapped = self.to.has_landmarks();
+        let of_tables = self.to.rows().iter().filter(|row| row.event.is_motion()).count() == self.rates;
         let (mut log, left_out) = self.to.finish(self.carried.is_some())?;
         if let Some(own) = own {
             log.drive.truth = own.truth(&log.drive.truth);
@@ -289,7 +289,7 @@ impl LogReader {
         let file = |row: &Row| Some(self.files.iter().find(|(_, end)| (row.line as usize) < *end)?.0.as_str());
         notes.extend(crate::no_value::left_out(&mut log.drive.rows));
         notes.extend(twice::left_out(&mut log.drive.rows));
-        notes.extend(self.moved_by_table.then(|| sampled::held(&mut log.drive)).flatten());
+        notes.extend(of_tables.then(|| sampled::changed(&mut log.drive)).flatten());
         notes.extend(notes::times(&log.drive, file));
         notes.extend(frames::apart(&log.drive));
         notes.extend(notes::lacking(&log.drive));

@@ -55,7 +55,7 @@ const fn optional(name: &'static str, quantity: Quantity) -> Value {
 pub enum Role {
     /// A log in the book's own format, with a letter at the beginning of each row.
     Log,
-    /// Velocities, each held until the next.
+    /// Velocities: a speed and a turn rate.
     Velocities,
     /// Distance and turn since the row before.
     Odometry,

@@ -21,12 +21,15 @@ fn is_sampled(drive: &Drive, of: fn(&Event) -> bool) -> bool {
     (long - short) as f64 >= PART * steps.len() as f64
 }
 
-/// Holds the rates of a drive from row to row unless they were read in equal steps, and says so.
-pub(crate) fn held(drive: &mut Drive) -> Option<String> {
-    let uneven = [Event::has_speed, Event::has_turn_rate].into_iter().any(|of| !is_sampled(drive, of));
-    if drive.motion != Motion::EvenVelocity || !uneven {
+/// Has the rates of a drive change from row to row if they were read in equal steps; else they are held, and that is
+/// said.
+pub(crate) fn changed(drive: &mut Drive) -> Option<String> {
+    if drive.motion != Motion::Velocity {
         return None;
     }
-    drive.motion = Motion::Velocity;
-    Some(HELD.into())
+    let even = [Event::has_speed, Event::has_turn_rate].into_iter().all(|of| is_sampled(drive, of));
+    if even {
+        drive.motion = Motion::EvenVelocity;
+    }
+    (!even).then(|| HELD.into())
 }

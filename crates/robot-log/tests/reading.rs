@@ -84,6 +84,14 @@ fn rates_that_are_written_when_they_change_are_held() {
 }
 
 #[test]
+fn a_table_of_rates_beside_held_rows_is_held_as_they_are() {
+    let mut files = robot_log::Files::default();
+    files.add("book.csv", "S,0,0.1\nS,1,0.1\nS,2,0.1\n").expect("short");
+    files.add("gyro.csv", "time_s,omega_radps\n0,0.1\n1,0.2\n2,0.1\n").expect("short");
+    assert_eq!(files.read().expect("sound").log.drive.motion, Motion::Velocity);
+}
+
+#[test]
 fn at_one_time_motion_comes_before_sightings_and_lines_keep_their_order() {
     let log = parse("R,1,7,1\nR,1,7,2\nV,1,0,0\nL,7,0,0\nV,-0.0,1,1\nR,0,7,3\n").expect("sound");
     let kinds: Vec<(f64, f64)> = log
