@@ -25,7 +25,7 @@ const presses = (gaps, /** @type {any} */ { kept = null, standing = 'sure' } = {
 test('where much of the motion is not read, the one press is to cut the log, and no fault is told', () => {
   const early = gap([120, 240], [0, 120])
   const said = ranked(judgement([suspect({})], { gaps: [early] }), { rows: 100, truth: false })
-  assert.match(said, /^No turn rate from 120\.0 to 240\.0 s .* first\. The readings do not fit that guess, and what/)
+  assert.match(said, /^No turn rate from 120\.0 to 240\.0 s .* first\. The readings do not fit what is held, and what/)
   assert.doesNotMatch(said, /positions/)
   assert.match(mendBefore(judgement([suspect({})], { gaps: [early] })), /cut the log there before/)
   assert.deepEqual(presses([early]), [['Cut the log: keep 0.0 to 120.0 s', [0, 120]]])

@@ -76,7 +76,8 @@ const LOGS = {
     },
   },
   'rates that change evenly, with an antenna ahead': {
-    text: CAR.replace(/^([VST]),/gm, '$1E,'),
+    // A stretch is not read.
+    text: CAR.replace(/^[VST],[56]\..*\n/gm, '').replace(/^([VST]),/gm, '$1E,'),
     params: { ...LATE, sigmaFix: 1.2, antennaAhead: 0.7, antennaLeft: -0.2, speedScale: 0.03 },
   },
 }

@@ -56,7 +56,7 @@ test('beside odometry a delay is told from one row of motion to the next', () =>
 test('where no motion was read, that is said before any fault', () => {
   const gaps = [{ what: 'held', count: 1, longest: [120, 150.04], between: [151, 900] }]
   const said = ranked(judgement([suspect({})], { gaps }), log)
-  assert.match(said, /^No rows of motion from 120\.0 to 150\.0 s .* beside it leads on, .* The positions/)
+  assert.match(said, /^No rows of motion from 120\.0 to 150\.0 s after .*: what was read last is held .* The positions/)
   const speed = [{ what: 'speed', count: 3, longest: [10, 12], between: [12, 90] }]
   assert.match(ranked(judgement([suspect({})], { gaps: speed }), log), /^No speed from 10\.0 to 12\.0 s .* of 3 such/)
   assert.match(ranked(judgement([suspect({ standing: 'cleared' })], { gaps }), log), /^No fault/)

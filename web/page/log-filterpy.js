@@ -104,16 +104,29 @@ def read(lines):
     return landmarks, min(truth, default=None), evenly(sorted(rows, key=lambda row: row[:3]))
 
 
+KINDS_OF = {"VE": "ST", "SE": "S", "TE": "T"}
+
+
+def longest(rows, kind):
+    """3.5 times the median step between rows of a rate: over a longer one it is held."""
+    times = [row[3] for row in rows if kind in KINDS_OF.get(row[4], "")]
+    steps = sorted(b - a for a, b in zip(times, times[1:]) if b > a)
+    return 3.5 * steps[len(steps) // 2] if steps else 0.0
+
+
 def evenly(rows):
     """Of rates that change evenly, the mean of each row's rate and of the next one's."""
-    ahead = {}
+    ahead, most = {}, {kind: longest(rows, kind) for kind in "ST"}
     for at in reversed(range(len(rows))):
-        *row, letter, numbers = rows[at]
-        if letter in ("VE", "SE", "TE"):
-            kinds = "ST" if letter == "VE" else letter[0]
-            means = [0.5 * (number + ahead.get(kind, number)) for kind, number in zip(kinds, numbers)]
-            ahead.update(zip(kinds, numbers))
-            rows[at] = (*row, letter, means)
+        *row, stamp, letter, numbers = rows[at]
+        if letter not in KINDS_OF:
+            continue
+        means = []
+        for kind, number in zip(KINDS_OF[letter], numbers):
+            after, other = ahead.get(kind, (math.inf, number))
+            means.append(0.5 * (number + other) if after - stamp <= most[kind] else number)
+            ahead[kind] = stamp, number
+        rows[at] = (*row, stamp, letter, means)
     return rows
 
 
@@ -168,7 +181,7 @@ def replay(landmarks, truth, rows):
         start, robot.x = truth[0], np.array(truth[1:4])
     robot.P = np.diag([START_SIGMA**2, START_SIGMA**2, START_SIGMA_HEADING**2])
     by_odometry = any(row[4] in "DO" for row in rows)
-    on_the_way = any(row[4] in ("D", "VE", "SE", "TE") for row in rows)
+    on_the_way = any(row[4] == "D" or row[4] in KINDS_OF for row in rows)
     # For each row the D row on whose way the robot is then.
     ways = [None] * len(rows)
     for at in reversed(range(len(rows))):

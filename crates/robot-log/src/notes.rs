@@ -234,16 +234,12 @@ pub(crate) fn lacking(drive: &Drive) -> Option<String> {
 
 /// Where no motion was read: the replay goes on with what it has, and says so.
 pub(crate) fn gaps(drive: &Drive) -> Vec<String> {
-    let even = drive.motion.is_even();
     let note = |Gaps { what, count, longest, .. }: Gaps| {
         let (rows, held) = match what {
-            Missing::Odometry => ("rows of motion", "the row after it is taken for the whole way and turn since"),
-            Missing::Held if even => ("rows of motion", "the means of the last and the next ones lead on meanwhile"),
-            Missing::Speed if even => ("speed", "the mean of the last and the next one leads on meanwhile"),
-            Missing::TurnRate if even => ("turn rate", "the mean of the last and the next one leads on meanwhile"),
             Missing::Held => ("rows of motion", "the last speed and turn rate are held meanwhile"),
             Missing::Speed => ("speed", "the last one is held meanwhile"),
             Missing::TurnRate => ("turn rate", "the last one is held meanwhile"),
+            Missing::Odometry => ("rows of motion", "the row after it is taken for the whole way and turn since"),
         };
         let guess = "What is estimated there is a guess; cut the log at the gap to judge it without.";
         missed(rows, count, longest, &format!("{held}. {guess}"))

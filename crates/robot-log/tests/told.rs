@@ -41,7 +41,7 @@ fn a_gap_between_rows_of_motion_is_said_with_what_is_held_meanwhile() {
     let told = notes(&[("wheels.csv", &long), ("gps.csv", FIXES)]);
     assert!(said(
         &told,
-        "No rows of motion from 20 to 50 s after the first row: the means of the last and the next ones lead on"
+        "No rows of motion from 20 to 50 s after the first row: the last speed and turn rate are held"
     ));
     assert!(said(&told, "cut the log at the gap"), "{told:?}");
     let two = with(|t| (20.0 < t && t < 23.0) || (30.0 < t && t < 39.9));

@@ -19,17 +19,17 @@ export function cutsFirst(gaps) {
   return Boolean(gap) && length(gap.longest) > MUCH * length(gap.between)
 }
 
-/** What leads the estimate over a gap looks like any fault of the motion. @param {Gap} gap */
+/** What is held over a gap looks like any fault of the motion. @param {Gap} gap */
 export function bridged({ what, count, longest }) {
   const [from, to] = longest.map((time) => fixed(time, 1))
   const rows = what === 'held' || what === 'odometry' ? 'rows of motion' : what
-  const guess = what === 'odometry' ? 'the row after it is taken for all since' : 'what was read beside it leads on'
+  const held = what === 'odometry' ? 'the row after it is taken for all since' : 'what was read last is held meanwhile'
   const more = count > 1 ? ` (the longest of ${count} such gaps)` : ''
   return (
-    `No ${rows} from ${from} to ${to} s after the first row${more}: ${guess}, ` +
+    `No ${rows} from ${from} to ${to} s after the first row${more}: ${held}, ` +
     'which looks like a fault of the motion. Cut the log there first.'
   )
 }
 
 /** What is said beside a gap in which any fault may hide. */
-export const HIDDEN = 'The readings do not fit that guess, and what else is wrong shows once the log is cut.'
+export const HIDDEN = 'The readings do not fit what is held, and what else is wrong shows once the log is cut.'

@@ -34,13 +34,13 @@ pub struct Taken {
 ///
 /// The state is [x, y, θ], and behind it, as far as they are learned, ε, κ and b.
 ///
-/// Over dt seconds, with the distance d and the turn a at the heading θ,
-/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v
-/// and turn rates ω are held and move the estimate to the time of every later row, by d = v (1 + κ) dt and
-/// a = (ω − b) dt. Rates that change evenly do so by the mean of a row's rate and the next one's. `D` rows bring d and
-/// a that were driven evenly since the row before: they move the estimate to the time of every later row by the share
-/// of that time. Both drive along the heading half-way through the turn, θ + a/2. A reading is gated by its d² and
-/// taken in Joseph's form.
+/// Over dt seconds, with the distance d and the turn a at the heading θ, x ← [x + d cos θ, y + d sin θ, θ + a] and P ←
+/// F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v and turn rates ω are held and move the estimate
+/// to the time of every later row, by d = v (1 + κ) dt and a = (ω − b) dt. Rates that change evenly do so by the mean
+/// of a row's rate and the next one's ([`Motion`](crate::drive::Motion)). `D` rows bring d and a that were driven
+/// evenly since the row before: they move the estimate to the time of every later row by the share of that time. Both
+/// drive along the heading half-way through the turn, θ + a/2. A reading is gated by its d² and taken in Joseph's
+/// form.
 ///
 /// # Example
 /// ```

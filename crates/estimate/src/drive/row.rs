@@ -95,7 +95,8 @@ pub enum Motion {
     /// By speeds and turn rates, each held until the next.
     Velocity,
     /// By speeds and turn rates that were read of a robot which changes them evenly from one row to the next. Between
-    /// two rows of a rate the robot drives with the mean of both, and turns on its way.
+    /// two rows of a rate the robot drives with the mean of both, and turns on its way. Over a step longer than 3.5
+    /// times the median of its kind, and behind the last row, a rate is held.
     EvenVelocity,
 }
 

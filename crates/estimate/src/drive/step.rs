@@ -1,5 +1,6 @@
 //! What was measured at one time, and in which order a replay takes it.
 
+use crate::drive::gaps::median;
 use crate::drive::row::{Drive, Event, Row};
 use crate::drive::settings::Delays;
 use alloc::vec::Vec;
@@ -69,27 +70,46 @@ pub(crate) fn way(drive: &Drive, row: u32) -> Option<[f64; 3]> {
     }
 }
 
+/// Over a step that is longer than so many times the median of its kind a rate is held: a robot that stands may not be
+/// read until it drives on.
+const LONG: f64 = 3.5;
+
+/// What a row reads of speed and turn rate.
+fn rates(event: &Event) -> [Option<f64>; 2] {
+    match *event {
+        Event::Velocity { v, omega } => [Some(v), Some(omega)],
+        Event::Speed { v } => [Some(v), None],
+        Event::TurnRate { omega } => [None, Some(omega)],
+        _ => [None; 2],
+    }
+}
+
+/// The longest step over which each rate changes evenly, s.
+fn longest(drive: &Drive) -> [f64; 2] {
+    [0, 1].map(|kind| {
+        let times = drive.rows.iter().filter(|row| rates(&row.event)[kind].is_some()).map(|row| row.time);
+        let mut before = None;
+        let step = |time| Some(time - before.replace(time)?);
+        LONG * median(times.filter_map(step))
+    })
+}
+
 /// Of rates that change evenly, by row: the mean of what each row reads and of what the next row of its kind does. The
-/// last of a kind is held.
+/// last of a kind is held, and one before a long step.
 pub(crate) fn means(drive: &Drive) -> Vec<[f64; 2]> {
-    let mut next = [None; 2];
-    let mut means: Vec<[f64; 2]> = drive
-        .rows
-        .iter()
-        .rev()
-        .map(|row| {
-            let read = match row.event {
-                Event::Velocity { v, omega } => [Some(v), Some(omega)],
-                Event::Speed { v } => [Some(v), None],
-                Event::TurnRate { omega } => [None, Some(omega)],
-                _ => return [0.0; 2],
-            };
-            let mean = |i: usize| read[i].map_or(0.0, |now: f64| next[i].map_or(now, |next: f64| 0.5 * (now + next)));
-            let means = [mean(0), mean(1)];
-            next = [0, 1].map(|i| read[i].or(next[i]));
-            means
-        })
-        .collect();
+    let (longest, mut next) = (longest(drive), [None; 2]);
+    let mean = |row: &Row| {
+        let read = rates(&row.event);
+        let of = |kind: usize| {
+            let now = read[kind]?;
+            let near = next[kind].filter(|(time, _): &(f64, f64)| time - row.time <= longest[kind]);
+            Some(near.map_or(now, |(_, next)| 0.5 * (now + next)))
+        };
+        let means = [0, 1].map(|kind| of(kind).unwrap_or(0.0));
+        next = [0, 1].map(|kind| read[kind].map(|rate| (row.time, rate)).or(next[kind]));
+        means
+    };
+    let mut means: Vec<[f64; 2]> = drive.rows.iter().rev().map(mean).collect();
     means.reverse();
     means
 }

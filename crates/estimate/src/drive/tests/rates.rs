@@ -42,16 +42,26 @@ fn speeds_and_turn_rates_in_rows_of_their_own_and_in_one_are_the_same() {
 
 #[test]
 fn a_rate_of_its_own_times_has_the_mean_with_the_next_of_its_kind_and_the_last_is_held() {
+    let turns = |time| (time, Event::TurnRate { omega: 0.0 });
     let rows = [
         (0.0, Event::Speed { v: 1.0 }),
-        (0.0, Event::TurnRate { omega: 0.0 }),
-        (1.0, Event::TurnRate { omega: 0.0 }),
+        turns(0.0),
+        turns(1.0),
         (2.0, Event::Speed { v: 3.0 }),
-        (2.0, Event::TurnRate { omega: 0.0 }),
-        (5.0, Event::TurnRate { omega: 0.0 }),
+        turns(2.0),
+        turns(5.0),
     ];
     // 2 m/s for two seconds, and 3 m/s, the last, for three.
     assert!((reckoned(&even(&rows), Delays::default()).x() - 13.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_rate_is_held_over_a_long_step() {
+    // A robot that is not read while it stands: two seconds at 1 m/s, slowing down in the third, then nothing for 20 s.
+    let v = |time: f64, v: f64| (time, Event::Velocity { v, omega: 0.0 });
+    let rows = [v(0.0, 1.0), v(1.0, 1.0), v(2.0, 1.0), v(3.0, 0.0), v(23.0, 2.0), v(24.0, 2.0), v(26.0, 4.0)];
+    // 2.5 m until it stands, 2 m in the second after, and a step of two medians is no long one: 6 m.
+    assert!((reckoned(&even(&rows), Delays::default()).x() - 10.5).abs() < 1e-12);
 }
 
 #[test]
