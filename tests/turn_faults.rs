@@ -2,7 +2,7 @@
 //! clockwise. Natively only.
 
 use chapter_tests::planted::{Log, WORLDS, judged};
-use estimate::drive::{Event, Fault, Standing, Suspect};
+use estimate::drive::{Event, Fault, Fitted, Row, Standing, Suspect};
 
 /// A sound log of a world, whose rows are then changed.
 fn spoiled(world: &str, n: u64, spoil: impl Fn(&mut Event)) -> Log {
@@ -58,5 +58,34 @@ fn bearings_that_are_counted_clockwise_are_named() {
         assert_eq!((first.fault, first.standing), (Fault::MirroredBearings, Standing::Sure), "{n}: {first:?}");
         let sound = of(&spoiled("camera", n, |_| {}), Fault::MirroredBearings);
         assert_eq!(sound.standing, Standing::Cleared, "{n}: {sound:?}");
+    }
+}
+
+/// The log with its turn rates late by so much, speeds and turn rates in rows of their own.
+fn late_turns(log: &Log, by: f64) -> Log {
+    let mut log = log.clone();
+    let parted = |row: &Row| match row.event {
+        Event::Velocity { v, omega } => {
+            vec![
+                Row { event: Event::Speed { v }, ..*row },
+                Row { event: Event::TurnRate { omega }, time: row.time + by, ..*row },
+            ]
+        }
+        _ => vec![*row],
+    };
+    log.drive.rows = log.drive.rows.iter().flat_map(parted).collect();
+    log.drive.rows.sort_by(|a, b| a.time.total_cmp(&b.time));
+    log
+}
+
+#[test]
+fn a_turn_rate_that_is_late_is_named_where_positions_are_all_that_is_read() {
+    for n in 0..4 {
+        let world = WORLDS.iter().find(|it| it.name == "car").expect("a world").even();
+        let log = late_turns(&world.sound(9400 + n, n.is_multiple_of(2)), 0.3);
+        let first = judged(&log).expect("a verdict").suspects.remove(0);
+        assert_eq!((first.fault, first.number), (Fault::Clock, Some(Fitted::DelayTurn)), "{n}: {first:?}");
+        let size = first.sizes[0];
+        assert!((size.value - 0.3).abs() < 3.0 * size.sigma, "{n}: {size:?}");
     }
 }

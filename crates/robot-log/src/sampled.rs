@@ -3,9 +3,13 @@
 
 use estimate::drive::{Drive, Event, Motion};
 
-/// At least this part of the steps is within so many times their median, either way. Rows at one time are one.
-const PART: f64 = 0.9;
-const TIMES: f64 = 2.5;
+/// Steps are equal within this part of their median, of which they may be once, twice or three times as long: now and
+/// then a row is lost. Rows at one time are one.
+const WITHIN: f64 = 0.35;
+const LOST: i32 = 3;
+/// At least this part of the steps is equal so, and they are at least this part of the time.
+const PART: f64 = 0.85;
+const TIME: f64 = 0.5;
 
 /// What is said where they were not.
 const HELD: &str = "The rows of the motion come at uneven times, as those of a log that writes what changes do: each \
@@ -17,8 +21,9 @@ fn is_sampled(drive: &Drive, of: fn(&Event) -> bool) -> bool {
     let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 0.0).collect();
     steps.sort_by(f64::total_cmp);
     let Some(median) = steps.get(steps.len() / 2) else { return true };
-    let [short, long] = [median / TIMES, median * TIMES].map(|end| steps.partition_point(|step| *step < end));
-    (long - short) as f64 >= PART * steps.len() as f64
+    let equal = |step: &&f64| (1..=LOST).any(|times| (**step - f64::from(times) * median).abs() < WITHIN * median);
+    let (count, time) = steps.iter().filter(equal).fold((0, 0.0), |(count, time), step| (count + 1, time + step));
+    f64::from(count) >= PART * steps.len() as f64 && time >= TIME * steps.iter().sum::<f64>()
 }
 
 /// Has the rates of a drive change from row to row if they were read in equal steps; else they are held, and that is

@@ -76,6 +76,19 @@ fn rates_that_are_written_when_they_change_are_held() {
         time
     });
     assert_eq!(rates(changes).motion, Motion::Velocity);
+    // A command holds for 1 to 4 s, as chance has it.
+    let (mut time, mut seed) = (0.0, 7_u32);
+    let holds = (0..90).map(|_| {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        time += 1.0 + 3.0 * f64::from(seed) / f64::from(u32::MAX);
+        time
+    });
+    assert_eq!(rates(holds).motion, Motion::Velocity);
+    // A stick is written ten times a second while it moves, and held for seconds then.
+    let stick = (0..40).flat_map(|k| (0..12).map(move |i| 6.0 * f64::from(k) + 0.1 * f64::from(i)));
+    let held = rates(stick);
+    assert_eq!(held.motion, Motion::Velocity);
+    assert_eq!(estimate::drive::gaps_and_end(&held.rows, held.motion), [], "what is not written has not changed");
     // In the book's own format the letter says it.
     let own = "VE,0,1,0\nVE,0.1,1,0\nVE,0.2,1,0\nVE,9,1,0\nVE,9.1,1,0\nVE,30,1,0\n";
     let mut files = robot_log::Files::default();

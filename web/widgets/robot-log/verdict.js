@@ -152,7 +152,7 @@ const HALF = [0.3, 0.7]
  * @param {Suspect} suspect @param {LogJudgement} judgement
  */
 function asMean({ fault, name, sizes: [size] }, { period, ownDelay }) {
-  if (fault !== 'clock' || ownDelay > 0) return ''
+  if (fault !== 'clock' || ownDelay > 0 || size.now !== 0) return ''
   const off = size.value - size.now
   const late = name === 'delaySpeed' || name === 'delayTurn' ? off : -off
   const [least, most] = HALF.map((part) => part * period)

@@ -99,7 +99,6 @@ impl Fitted {
         let (fix, heading) = (sensors.fix && s.fixes, sensors.heading && s.headings);
         let (range, bearing) = (sensors.range && s.sightings, sensors.bearing && s.sightings);
         let (sighting, held) = (range || bearing, !drive.motion.is_odometry());
-        let several = [fix, heading, sighting].into_iter().filter(|it| *it).count() > 1;
         let has = |is: fn(&Event) -> bool| drive.rows.iter().any(|row| is(&row.event));
         let turns = has(|event| matches!(event, Event::Velocity { .. } | Event::TurnRate { .. }));
         let speeds = has(|event| matches!(event, Event::Velocity { .. } | Event::Speed { .. }));
@@ -112,8 +111,8 @@ impl Fitted {
             (Self::SigmaBearing, bearing),
             // Delays are counted from that of the turn rate; where there is none, from the speed's own.
             (Self::DelaySpeed, turns && speeds),
-            // It differs from the speed's and the readings' where these are not late as one.
-            (Self::DelayTurn, turns && speeds && several),
+            // A turn rate that is late is no late speed, and no late reading: both would be early by as much.
+            (Self::DelayTurn, turns && speeds && (fix || heading || sighting)),
             (Self::DelayFix, fix),
             (Self::DelayHeading, heading),
             (Self::DelaySighting, sighting),

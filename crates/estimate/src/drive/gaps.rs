@@ -33,6 +33,11 @@ impl Missing {
     }
 }
 
+/// Held motion with at least so many gaps, which are at least so much of the log, is written where it changes: it has
+/// none.
+const CHANGES: usize = 8;
+const MOST: f64 = 0.5;
+
 /// An end without motion is a gap where it is so much of the log: loggers are switched off one after the other.
 const END: f64 = 0.02;
 
@@ -97,8 +102,14 @@ fn by_kind(rows: &[Row], motion: Motion, long: impl Fn(fn(&Event) -> bool) -> Ve
     if motion.is_odometry() {
         return of(Missing::Odometry, Event::is_motion).into_iter().collect();
     }
-    let speed = of(Missing::Speed, Event::has_speed);
-    let turn = of(Missing::TurnRate, Event::has_turn_rate);
+    let written_at_changes = |is| {
+        let all = long(is);
+        let missed: f64 = all.iter().map(|[from, to]| to - from).sum();
+        motion == Motion::Velocity && all.len() >= CHANGES && missed > MOST * duration(rows)
+    };
+    let told = |what, is| of(what, is).filter(|_| !written_at_changes(is));
+    let speed = told(Missing::Speed, Event::has_speed);
+    let turn = told(Missing::TurnRate, Event::has_turn_rate);
     match (speed, turn) {
         (Some(speed), Some(turn)) if speed == (Gaps { what: Missing::Speed, ..turn }) => {
             alloc::vec![Gaps { what: Missing::Held, ..speed }]
