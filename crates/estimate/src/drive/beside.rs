@@ -11,6 +11,7 @@ use crate::drive::fitted::Fitted;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
 use crate::drive::suspect::Suspect;
+use crate::drive::tried::Tried;
 use crate::drive::weight::{CLEAR, most, ranked, sifted};
 use crate::error::Error;
 use alloc::vec::Vec;
@@ -45,11 +46,14 @@ fn beside(round: &Round) -> Option<(&Suspect, Vec<(usize, &Suspect)>)> {
     let (first, _) = round.found.first()?;
     let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
     let of_fixes = first.number == Some(Fitted::FixSigmaScale);
-    // An arm and a delay look alike beside a σ that allows for both, and so do delays of speed and turn rate: which it
-    // is, they tell by themselves.
-    let turn = |it: &Suspect| it.number == Some(Fitted::DelayTurn);
-    let clock = most(&round.found, &|it| it.fault == Fault::Clock && !turn(it));
-    let other = |it: &Suspect| (it.fault == Fault::Antenna || turn(it)) && it.gain < clock;
+    // An arm and a delay look alike beside a σ that allows for both: which it is, they tell by themselves. So do the
+    // delays of speed and turn rate where one sensor alone is read.
+    let clock = most(&round.found, &|it| it.fault == Fault::Clock);
+    let several = round.tried.iter().any(|tried| matches!(tried, Tried::Together(_)));
+    let other = |it: &Suspect| match it.number {
+        Some(Fitted::DelayTurn) => !several,
+        _ => it.fault == Fault::Antenna && it.gain < clock,
+    };
     let kept = |it: &Suspect| it.fault != Fault::Sigma && !(of_fixes && it.fault == Fault::Start) && !other(it);
     let all = round.found.iter().map(|(suspect, _)| suspect).enumerate();
     let others: Vec<_> = all.filter(|(_, suspect)| suspect.excess > 0.0 && kept(suspect)).collect();

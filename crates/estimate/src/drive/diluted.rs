@@ -87,7 +87,12 @@ pub(crate) fn noisy_turns(drive: &Drive, suspects: &mut [Suspect], places: &[Tri
     let part = noise.map_or(0.0, |noise| part(noise, drive, shortest(drive)));
     let Some(size) = turned(suspect).filter(|size| part > LITTLE * size.sigma) else { return };
     size.sigma = libm::hypot(size.sigma, 0.5 * part);
+    let told = size.value.abs() > SIGMAS * size.sigma;
     suspect.dilution = Some(part);
+    // Of odometry the distances may be off all the same.
+    if suspect.fault == Fault::TurnScale && !told {
+        (suspect.own, suspect.standing) = (true, Standing::Maybe);
+    }
 }
 
 /// Times of rows are so exact, s.
