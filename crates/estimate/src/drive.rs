@@ -52,6 +52,7 @@ mod statistics;
 mod step;
 mod summary;
 mod suspect;
+mod thinning;
 mod times;
 mod told;
 mod tried;
@@ -74,6 +75,7 @@ pub use line::{Line, Points};
 pub use noise::{Correlated, Noise, Stretch};
 pub use opening::Opening;
 pub use replay::{Replay, Taken};
+pub use round::MOST_JUDGED;
 pub use row::{Drive, Event, Motion, Row};
 pub use sensor::{BySensor, Sensor};
 pub use settings::{Delays, MAX_DELAY, Settings};
@@ -81,9 +83,10 @@ pub use smoother::{Smoothed, SmoothedPose};
 pub use statistics::Judged;
 pub use summary::{BearingSummary, FixSummary, SensorSummary, Sensors, Summary, Withheld};
 pub use suspect::{Size, Standing, Suspect};
+pub use thinning::Thinning;
 pub use times::Times;
 pub use truth::{Pose, Truth};
-pub use verdict::{MOST_JUDGED, Verdict};
+pub use verdict::Verdict;
 
 #[cfg(test)]
 mod tests;

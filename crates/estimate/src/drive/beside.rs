@@ -5,12 +5,13 @@
 //! turn is as good as unknown. What explains by itself about as much as that σ is therefore not freed beside it: with
 //! the fault mended the σ is found anew, and both are held against the σ alone.
 
-use crate::drive::evidence::Trial;
+use crate::drive::evidence::{Evidence, Trial};
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
 use crate::drive::suspect::Suspect;
+use crate::drive::thinning::{Thinning, less, thinning};
 use crate::drive::tried::Tried;
 use crate::drive::weight::{CLEAR, most, ranked, sifted};
 use crate::error::Error;
@@ -66,14 +67,22 @@ pub(crate) fn explained(round: &Round) -> Option<Round> {
     Some(Round::new(round.found.first()?.1, others.iter().map(|(_, suspect)| suspect.tried()).collect()))
 }
 
-/// Puts what gains much beside the larger σ before it; whether there was any.
-pub(crate) fn hoist(first: &mut Round, mut round: Round, scope: &Scope) -> bool {
+/// Puts what gains much beside the larger σ before it; whether there was any. Where there is none because readings go
+/// together, it says how few of them do not.
+pub(crate) fn hoist(first: &mut Round, mut round: Round, drive: &Drive, scope: &Scope) -> (bool, Option<Thinning>) {
     let mut found = core::mem::take(&mut round.found);
     sifted(&mut found, scope.chance[1]);
+    let any = found.iter().any(|(suspect, _)| suspect.excess >= CLEAR);
+    for (suspect, place) in &mut found {
+        let from = if suspect.tried().delays() { scope.from } else { 0 };
+        let mended = Evidence::new(drive, place, scope.rows).ok().zip(round.base.as_ref());
+        suspect.excess -= mended.map_or(0.0, |(mended, base)| less(&mended, base, from));
+    }
     let mut found = ranked(found);
     let much = found.iter().take_while(|(suspect, _)| suspect.excess >= CLEAR).count();
     if much == 0 {
-        return false;
+        let base = round.base.as_ref().filter(|_| any);
+        return (false, base.and_then(|base| thinning(drive, &round.place, base, scope.rows)));
     }
     // How large it is, the settings as they are tell: the log-likelihood that a reader watches is highest
     // there, and a σ that allows for all errors moves that place. How well it is known, the larger σ tells.
@@ -92,7 +101,7 @@ pub(crate) fn hoist(first: &mut Round, mut round: Round, scope: &Scope) -> bool 
     let any = !found.is_empty();
     found.extend(ranked(rest));
     first.found = found;
-    any
+    (any, None)
 }
 
 /// Whether they are the same fault, of one sensor or of several together. Turns of the wrong sign are such of a scale

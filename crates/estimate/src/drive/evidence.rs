@@ -77,9 +77,14 @@ impl Evidence {
     /// How much likelier it makes the readings from a row on than another replay of the same drive: the readings that
     /// both have looked at.
     pub fn gain(&self, other: &Self, from: u32) -> f64 {
+        self.gain_of(other, from, |_| true)
+    }
+
+    /// That of the readings of some sensors.
+    pub fn gain_of(&self, other: &Self, from: u32, of: impl Fn(Sensor) -> bool) -> f64 {
         let both = self.aligned(other).zip(&other.readings);
         both.filter_map(|(mine, its)| mine.map(|mine| (mine, its)))
-            .filter(|(_, its)| its.row >= from)
+            .filter(|(_, its)| its.row >= from && of(its.sensor))
             .map(|(mine, its)| mine.log_likelihood - its.log_likelihood)
             .sum()
     }

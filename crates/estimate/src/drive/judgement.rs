@@ -10,6 +10,7 @@ use crate::drive::noise::Noise;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::{Drive, Event, Motion, Row};
 use crate::drive::suspect::{Standing, Suspect};
+use crate::drive::thinning::Thinning;
 use crate::drive::weight::ranked;
 use crate::error::Error;
 use alloc::vec::Vec;
@@ -47,6 +48,8 @@ pub struct Judgement {
     pub ungated: bool,
     /// Whether what the first suspects gain is counted beside a σ that is enlarged.
     pub beside: bool,
+    /// How few of the fixes may be taken for their errors not to go together, where no fault is told because they do.
+    pub thinning: Option<Thinning>,
     /// By how much the log-likelihood rises where the robot turns on its way between two rows of motion, where that is
     /// more than chance: the motion model drives straight and turns then. The suspects are freed beside it.
     pub arcs: Option<f64>,

@@ -4,6 +4,7 @@
 use crate::drive::evidence::Weighed;
 use crate::drive::row::Drive;
 use crate::drive::sensor::Sensor;
+use crate::drive::thinning::{lag1, squared};
 use alloc::vec::Vec;
 use filters::consistency::chi2_quantile;
 
@@ -55,11 +56,6 @@ pub struct Noise {
 /// How many numbers a sensor reads at once.
 fn outputs(sensor: Sensor) -> u32 {
     if matches!(sensor, Sensor::Fix | Sensor::Bearing) { 2 } else { 1 }
-}
-
-/// d² of a reading.
-fn squared(reading: &Weighed) -> f64 {
-    reading.white.iter().map(|it| it * it).sum()
 }
 
 /// What of a replay's innovations does not look like noise.
@@ -118,11 +114,8 @@ fn standing_out(
 /// The sensor whose used innovations are correlated most from one to the next, where chance does not explain it.
 fn correlated(readings: &[Weighed]) -> Option<Correlated> {
     let all = [Sensor::Fix, Sensor::Heading, Sensor::Range, Sensor::Bearing].into_iter().filter_map(|sensor| {
-        let its: Vec<&Weighed> = readings.iter().filter(|it| it.sensor == sensor && it.used).collect();
-        let power: f64 = its.iter().map(|it| squared(it)).sum();
-        let product = |pair: &[&Weighed]| pair[0].white[0] * pair[1].white[0] + pair[0].white[1] * pair[1].white[1];
-        let by = its.windows(2).map(product).sum::<f64>() / power;
-        let chance = 1.0 / libm::sqrt(its.len() as f64 * f64::from(outputs(sensor)));
+        let (count, by) = lag1(readings, sensor);
+        let chance = 1.0 / libm::sqrt(count as f64 * f64::from(outputs(sensor)));
         (by.abs() > LEAST.max(DEVIATIONS * chance)).then_some(Correlated { sensor, by, chance })
     });
     all.max_by(|one, other| (one.by.abs() / one.chance).total_cmp(&(other.by.abs() / other.chance)))

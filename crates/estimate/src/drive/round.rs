@@ -3,17 +3,25 @@
 use crate::drive::course::{Course, Otherwise};
 use crate::drive::displaced::{biased, displaced};
 use crate::drive::evidence::{Evidence, Trial};
-use crate::drive::exchange::likeliest;
+use crate::drive::exchange::{likeliest, pairs};
 use crate::drive::fault::Fault;
+use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::fitted::Fitted;
 use crate::drive::freed::{Freed, Numbers, ROUNDS, ROUNDS_OF_A_FACTOR, Search};
 use crate::drive::outliers::{sigma_of, tails};
+use crate::drive::pace::Paced;
 use crate::drive::row::Drive;
 use crate::drive::settings::Settings;
 use crate::drive::suspect::{Size, Standing, Suspect};
 use crate::drive::tried::Tried;
 use crate::error::Error;
 use alloc::vec::Vec;
+use filters::consistency::chi2_quantile;
+
+/// So many rows are judged at most: what is kept of their readings needs 48 bytes for each.
+pub const MOST_JUDGED: u32 = 200_000;
+/// A sound log has a fault named with this probability, where its start is as uncertain as it is said to be.
+const CHANCE: f64 = 0.03;
 
 /// What is the same for all suspects of a log.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +40,30 @@ pub(crate) struct Scope {
     pub period: f64,
     /// So far ahead of the robot an antenna seems to stand where what is read is held until the next row, m.
     pub arm: f64,
+}
+
+impl Scope {
+    /// That of a log in which so many suspects are tried, and how long it is, s.
+    pub fn new(drive: &Drive, course: &Course, paced: &Paced, tried: usize) -> Result<(Self, f64), Error> {
+        let rows = (drive.rows.len() as u32).min(MOST_JUDGED);
+        let judged = &drive.rows[..rows as usize];
+        let duration = judged.last().map_or(0.0, |row| row.time) - judged.first().map_or(0.0, |row| row.time);
+        let most = most_delay(duration);
+        let settled = course.start() + most + SETTLED;
+        let share = CHANCE / tried as f64;
+        let chance = |freedom: u32| chi2_quantile(freedom, 1.0 - share).map(|quantile| 0.5 * quantile);
+        let scope = Self {
+            rows,
+            // Without a number to free, readings are e^g times likelier by chance in e^−g of all logs at most.
+            chance: [-libm::log(share), chance(1)?, chance(2)?, chance(3)?],
+            pairs: pairs(drive.landmarks.len()).max(1) as f64,
+            from: judged.partition_point(|row| row.time < settled) as u32,
+            most,
+            period: duration / judged.iter().filter(|row| row.event.is_motion()).count().max(1) as f64,
+            arm: paced.pace * paced.own_delay,
+        };
+        Ok((scope, duration))
+    }
 }
 
 /// Suspects, and the replay beside which each is freed.

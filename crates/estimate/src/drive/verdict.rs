@@ -18,9 +18,7 @@ use crate::drive::beside::{by_itself, explained, hoist};
 use crate::drive::course::{Course, Otherwise};
 use crate::drive::diluted::{diluted, noisy_turns};
 use crate::drive::evidence::{Against, Evidence, Trial};
-use crate::drive::exchange::pairs;
 use crate::drive::fault::Fault;
-use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::gaps::{Gaps, gaps_and_end};
 use crate::drive::gates::Gates;
 use crate::drive::judgement::{
@@ -32,16 +30,11 @@ use crate::drive::round::{Round, Scope};
 use crate::drive::row::{Drive, Motion};
 use crate::drive::settings::Settings;
 use crate::drive::suspect::{Standing, Suspect};
+use crate::drive::thinning::Thinning;
 use crate::drive::tried::Tried;
 use crate::drive::weight::{ranked, sifted, stand};
 use crate::error::{Code, Error};
 use alloc::vec::Vec;
-use filters::consistency::chi2_quantile;
-
-/// So many rows are judged at most: what is kept of their readings needs 48 bytes for each.
-pub const MOST_JUDGED: u32 = 200_000;
-/// A sound log has a fault named with this probability, where its start is as uncertain as it is said to be.
-const CHANCE: f64 = 0.03;
 
 /// What the truth does not refuse is named where it has this share of the evidence of all that it has refused before.
 const HALF: f64 = 0.5;
@@ -74,6 +67,7 @@ pub struct Verdict {
     gates: Gates,
     /// Whether the first suspects were found beside the larger σ, and whether the first goes before it by itself.
     hoisted: bool,
+    thinning: Option<Thinning>,
     sole: bool,
     /// How far the filter is from the truth as it is set, once that is known.
     against: Option<Against>,
@@ -110,24 +104,8 @@ impl Verdict {
         if tried.is_empty() || course.looked_at(drive) == 0 {
             return Err(Error::new(Code::Limit, "log", "has no reading that is used, and could be judged by"));
         }
-        let rows = (drive.rows.len() as u32).min(MOST_JUDGED);
-        let judged = &drive.rows[..rows as usize];
-        let duration = judged.last().map_or(0.0, |row| row.time) - judged.first().map_or(0.0, |row| row.time);
-        let most = most_delay(duration);
-        let settled = course.start() + most + SETTLED;
         let paced = Paced::new(drive, &settings);
-        let share = CHANCE / tried.len() as f64;
-        let chance = |freedom: u32| chi2_quantile(freedom, 1.0 - share).map(|quantile| 0.5 * quantile);
-        let scope = Scope {
-            rows,
-            // Without a number to free, readings are e^g times likelier by chance in e^−g of all logs at most.
-            chance: [-libm::log(share), chance(1)?, chance(2)?, chance(3)?],
-            pairs: pairs(drive.landmarks.len()).max(1) as f64,
-            from: judged.partition_point(|row| row.time < settled) as u32,
-            most,
-            period: duration / judged.iter().filter(|row| row.event.is_motion()).count().max(1) as f64,
-            arm: paced.pace * paced.own_delay,
-        };
+        let (scope, duration) = Scope::new(drive, &course, &paced, tried.len())?;
         let first = Round::new(Trial { settings, otherwise: Otherwise::default() }, tried);
         Ok(Self {
             scope,
@@ -136,6 +114,7 @@ impl Verdict {
             stage: Stage::First,
             gates: Gates::Set,
             hoisted: false,
+            thinning: None,
             sole: false,
             against: None,
             asked: false,
@@ -232,17 +211,18 @@ impl Verdict {
     /// Says how sure each suspect is, and holds the first against the truth.
     fn conclude(&mut self, drive: &Drive) {
         self.noise = self.first.base.as_ref().map(|base| noise(drive, &base.readings)).unwrap_or_default();
-        let hoisted = self.beside.take().is_some_and(|round| hoist(&mut self.first, round, &self.scope));
-        self.hoisted = hoisted;
+        if let Some(round) = self.beside.take() {
+            (self.hoisted, self.thinning) = hoist(&mut self.first, round, drive, &self.scope);
+        }
         let mut places: Vec<Trial> = self.first.found.iter().map(|(_, place)| *place).collect();
         self.suspects = core::mem::take(&mut self.first.found).into_iter().map(|(suspect, _)| suspect).collect();
         let own_delay = self.own_delay();
         own_delay_left(drive, &mut self.suspects, &mut places, &self.first, &self.scope, own_delay);
-        stand(&mut self.suspects, hoisted || self.sole);
+        stand(&mut self.suspects, self.hoisted || self.sole);
         stairs(drive, &mut self.suspects, &places, &self.scope);
         diluted(drive, &mut self.suspects);
         noisy_turns(drive, &mut self.suspects, &places, &self.scope);
-        if !hoisted {
+        if !self.hoisted {
             may_be_own(drive, &mut self.suspects, &self.first, &self.scope, own_delay);
         }
         self.hold_against_the_truth(drive, &places);
@@ -287,6 +267,7 @@ impl Verdict {
             against: self.against,
             ungated: matches!(self.gates, Gates::Off(_)),
             beside: self.hoisted,
+            thinning: self.thinning,
             arcs: self.arcs,
             period: self.paced.period,
             own_delay: self.own_delay(),
