@@ -63,7 +63,7 @@ impl LogReader {
 
     /// Begins a file, whose turns are not taken where a gyro says them.
     pub fn begin_file(&mut self, turned: bool) {
-        (self.turned, self.way) = (turned, Way::default());
+        (self.turned, self.way.since) = (turned, None);
     }
 
     /// Ends a file, `words` lines above its rows passed over; what a row does not say is not missing where it is
@@ -216,7 +216,7 @@ impl LogReader {
     /// A row that says how the robot drove and turned, if it says anything.
     fn driven(&mut self, start: CellPlace, time: f64, event: Option<Event>) -> Result<(), Error> {
         let row = match self.turned {
-            true => self.way.speed(time, event),
+            true => self.way.speed(time, event, self.to.rows().len()),
             false => event.map(|event| Row::new(time, event)),
         };
         let Some(row) = row else { return Ok(()) };
@@ -289,7 +289,7 @@ impl LogReader {
         let file = |row: &Row| Some(self.files.iter().find(|(_, end)| (row.line as usize) < *end)?.0.as_str());
         notes.extend(crate::no_value::left_out(&mut log.drive.rows));
         notes.extend(twice::left_out(&mut log.drive.rows));
-        notes.extend(of_tables.then(|| sampled::changed(&mut log.drive)).flatten());
+        notes.extend(of_tables.then(|| sampled::changed(&mut log.drive, &self.way)).flatten());
         notes.extend(notes::times(&log.drive, file));
         notes.extend(frames::apart(&log.drive));
         notes.extend(notes::lacking(&log.drive));

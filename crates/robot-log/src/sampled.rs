@@ -1,6 +1,7 @@
 //! Whether rates were read in equal steps: then the robot changed them on the way from row to row, and the mean of two
 //! rows leads from one to the other. What is written only when it changes is held until the next row instead.
 
+use crate::way::Way;
 use estimate::drive::{Drive, Event, Motion};
 
 /// Steps are equal within this part of their median, of which they may be once, twice or three times as long: now and
@@ -26,15 +27,16 @@ fn is_sampled(drive: &Drive, of: fn(&Event) -> bool) -> bool {
     f64::from(count) >= PART * steps.len() as f64 && time >= TIME * steps.iter().sum::<f64>()
 }
 
-/// Has the rates of a drive change from row to row if they were read in equal steps; else they are held, and that is
-/// said.
-pub(crate) fn changed(drive: &mut Drive) -> Option<String> {
+/// Has the rates of a drive change from row to row if they were read in equal steps, a mean over a step from its middle
+/// on; else they are held, and that is said.
+pub(crate) fn changed(drive: &mut Drive, way: &Way) -> Option<String> {
     if drive.motion != Motion::Velocity {
         return None;
     }
     let even = [Event::has_speed, Event::has_turn_rate].into_iter().all(|of| is_sampled(drive, of));
     if even {
         drive.motion = Motion::EvenVelocity;
+        way.to_the_middle(&mut drive.rows);
     }
     (!even).then(|| HELD.into())
 }

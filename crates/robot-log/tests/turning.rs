@@ -53,14 +53,47 @@ fn encoders_beside_a_gyro_read_the_way_that_they_count_as_a_speed() {
     assert_eq!(turns(&read), [0.3, 0.31, 0.32]);
     // Of the two rows at one time the second is driven with the next.
     let found = speeds(&read);
-    let wanted = [[0.0, 105.0 * tick / 0.1], [0.1, 105.0 * tick / 0.2]];
+    // A mean over a step stands in its middle, but for the first.
+    let wanted = [[0.0, 105.0 * tick / 0.1], [0.2, 105.0 * tick / 0.2]];
     assert_eq!(found.len(), wanted.len(), "{found:?}");
     for (found, wanted) in found.iter().zip(wanted) {
         assert!((found[0] - wanted[0]).abs() < 1e-12 && (found[1] - wanted[1]).abs() < 1e-9, "{found:?}, {wanted:?}");
     }
+    // A gyro that writes what changes is held, and the wheels with it: each from the beginning of its step.
+    let uneven = ("gyro.csv", "time_s,omega_radps\n0,0.3\n0.01,0.31\n0.2,0.32\n0.9,0.3\n");
+    let mut held = files(&[("encoders.csv", ticks), uneven]);
+    for (name, number) in [("ticks", 1000.0), ("radius", 0.1), ("base", 0.4)] {
+        assert!(held.set_wheel(0, name, number), "{name}");
+    }
+    assert!(held.set_counting(0, Counting::Total));
+    let times: Vec<f64> = speeds(&rows(&held)).into_iter().map(|[time, _]| time).collect();
+    assert_eq!(times, [0.0, 0.1]);
     // By themselves they say the way and the turn of each step.
     assert!(both.set_role(1, Role::Unused));
     assert!(rows(&both).iter().all(|row| matches!(row.event, Event::Odometry { .. })));
+}
+
+#[test]
+fn a_speed_that_encoders_count_is_the_one_that_the_robot_had_then() {
+    // v = 1 + sin(t)/2, whose way is t + (1 - cos(t))/2, counted five times a second.
+    let (mut ticks, mut gyro) =
+        (String::from("time_s,left_ticks,right_ticks\n"), String::from("time_s,gyro_z_radps\n"));
+    for i in 0..100 {
+        let t = 0.2 * f64::from(i);
+        let count = libm::round(1e5 * (t + (1.0 - libm::cos(t)) / 2.0));
+        ticks += &format!("{t:.1},{count},{count}\n");
+        (0..10).for_each(|j| gyro += &format!("{:.2},0.1\n", t + 0.02 * f64::from(j)));
+    }
+    let mut both = files(&[("encoders.csv", &ticks), ("gyro.csv", &gyro)]);
+    for (name, number) in [("ticks", 1e5 * core::f64::consts::TAU), ("radius", 1.0), ("base", 0.4)] {
+        assert!(both.set_wheel(0, name, number), "{name}");
+    }
+    assert!(both.set_counting(0, Counting::Total));
+    let found = speeds(&rows(&both));
+    assert_eq!(found.len(), 99);
+    for [time, speed] in &found[1..] {
+        assert!((speed - (1.0 + libm::sin(*time) / 2.0)).abs() < 2e-3, "{speed} at {time}");
+    }
 }
 
 #[test]
