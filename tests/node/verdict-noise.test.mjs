@@ -1,6 +1,8 @@
 // What a verdict without a fault says of innovations that do not look like noise.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
+import { remedies } from '../../web/page/log-remedy.js'
+import { unsettledWords } from '../../web/widgets/robot-log/unsettled.js'
 import { ranked } from '../../web/widgets/robot-log/verdict.js'
 import { judgement, suspect } from './verdicts.mjs'
 
@@ -21,4 +23,24 @@ test('beside no fault it is said where the innovations do not look like noise', 
     /Yet from 100\.0 .* gates refuse 49 % of the readings, and 0\.3 % elsewhere; the innovations of the positions are /,
   )
   assert.doesNotMatch(ranked(judgement([suspect({})], { noise }), log), /Yet/, 'what is named is mended first')
+})
+
+test('of readings that go together the verdict names no fault: it says how few of them to take, and the press takes those', () => {
+  const thinning = { sensor: 'fix', every: 5, by: [0.978, 0.37], counts: [2067, 22.5] }
+  const found = judgement([suspect({ fault: 'sigma', name: 'sigmaDistance' })], { thinning })
+  const said = ranked(found, log)
+  assert.match(
+    said,
+    /^The positions go together: .* are correlated by 0\.98\. So 2,067 of them tell about as much as 23/,
+  )
+  assert.match(said, /Take those first that are at least 5 s apart: they are correlated by 0\.37\.$/)
+  assert.equal(unsettledWords(found, {}, []), '')
+  /** @type {any} */
+  const frame = { params: { gate: null, every: 0 }, truth: null }
+  const apart = { fix: 5, heading: 0, range: 0, bearing: 0 }
+  assert.deepEqual(remedies(found, frame), [{ press: 'Take those 5 s apart', patch: { every: apart } }])
+  const often = judgement([suspect({})], { thinning: { ...thinning, every: 0.5 } })
+  assert.match(ranked(often, log), /at least 0\.5 s apart/)
+  frame.params.every = { ...apart, fix: 0.1 }
+  assert.equal(/** @type {any} */ (remedies(often, frame)[0].patch).every.fix, 0.5)
 })

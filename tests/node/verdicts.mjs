@@ -29,6 +29,7 @@ export const judgement = (suspects, more) => ({
   against: null,
   ungated: false,
   beside: false,
+  thinning: null,
   arcs: null,
   period: 0.1,
   ownDelay: 0.05,

@@ -155,6 +155,11 @@ export function remedies(judgement, frame) {
  * @returns {Remedy[]}
  */
 function mending(judgement, { params, truth, log }) {
+  if (judgement?.thinning) {
+    const { sensor, every } = judgement.thinning
+    const patch = { every: { ...bySensor(params.every), [sensor]: every } }
+    return [{ press: `Take those ${fixed(every, every < 1 ? 1 : 0)} s apart`, patch }]
+  }
   // What may be no fault has no press.
   const suspects = judgement ? [...named(judgement, log), ...likeliest(judgement)].filter(({ own }) => !own) : []
   const together = judgement ? unsettled(judgement) : []

@@ -5,7 +5,9 @@ use crate::errors::Thrown;
 use crate::lab::RobotLog;
 use crate::object::Held;
 use crate::robot_log::logged;
-use estimate::drive::{Against, Correlated, Gaps, Judgement, Noise, Sensor, Size, Standing, Stretch, Suspect, Times};
+use estimate::drive::{
+    Against, Correlated, Gaps, Judgement, Noise, Sensor, Size, Standing, Stretch, Suspect, Thinning, Times,
+};
 use js_sys::Array;
 use lab::Params;
 use std::sync::Arc;
@@ -115,6 +117,12 @@ export interface LogJudgement {
     /** Whether what the first suspect gains is counted beside a σ that is enlarged. */
     beside: boolean;
     /**
+     * Where readings go together so that they tell no fault: whose they are, the least time in seconds between those
+     * that do not, how far neighbouring innovations are correlated beside a larger σ, of all and of those, and how many
+     * there are and how many that err apart tell as much. Else null.
+     */
+    thinning: { sensor: 'fix'; every: number; by: [number, number]; counts: [number, number] } | null;
+    /**
      * By how much the log-likelihood rises where the robot turns on its way between two rows of motion; null where that
      * is no more than chance. The motion model drives straight and turns then.
      */
@@ -188,6 +196,7 @@ fn shown(judgement: &Judgement) -> JsValue {
         ("against", against(judgement.against)),
         ("ungated", judgement.ungated.into()),
         ("beside", judgement.beside.into()),
+        ("thinning", judgement.thinning.map_or(JsValue::NULL, thinning)),
         ("arcs", judgement.arcs.map_or(JsValue::NULL, Into::into)),
         ("period", judgement.period.into()),
         ("ownDelay", judgement.own_delay.into()),
@@ -275,6 +284,11 @@ fn times(Times { value, sigma, set, unit }: Times) -> JsValue {
         ("set", set.into()),
         ("unit", unit.map_or(JsValue::NULL, names)),
     ])
+}
+
+fn thinning(Thinning { sensor, every, by, counts }: Thinning) -> JsValue {
+    let [by, counts] = [by, counts].map(|pair| list(&pair));
+    record(&[("sensor", named(sensor).into()), ("every", every.into()), ("by", by), ("counts", counts)])
 }
 
 fn against(against: Option<Against>) -> JsValue {

@@ -8,7 +8,7 @@
 export const NEAR = 3
 
 /** What is likeliest where nothing mends by itself. @param {LogJudgement} judgement */
-export const likeliest = ({ suspects: [first], other }) => (other && first ? [first] : [])
+export const likeliest = ({ suspects: [first], other, thinning }) => (other && first && !thinning ? [first] : [])
 
 /**
  * The landmarks that the page has mended so before: of two faults of one, that is mended once more before another is
@@ -31,8 +31,8 @@ function sureBefore(suspects) {
  * The faults that a judgement names: none, one, or two where the readings do not tell which it is.
  * @param {LogJudgement} judgement @param {Log | null} [log]
  */
-export function named({ suspects, other }, log = null) {
-  if (!suspects[0] || suspects[0].standing === 'cleared' || other) return []
+export function named({ suspects, other, thinning }, log = null) {
+  if (!suspects[0] || suspects[0].standing === 'cleared' || other || thinning) return []
   const [first, ...others] = sureBefore(suspects)
   if (first.standing === 'sure') return [first]
   // What was held against the truth, and is not the first, mends nothing; what may be no fault is none to choose.

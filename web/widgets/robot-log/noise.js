@@ -7,6 +7,20 @@ import { fixed } from '../../draw/numbers.js'
 /** What the rows of a sensor are called. */
 export const READINGS = { fix: 'positions', heading: 'headings', range: 'ranges', bearing: 'ranges with a bearing' }
 
+/**
+ * Readings that go together: so many tell no more than a few do, and a fault would be named by chance.
+ * @param {LogJudgement['thinning'] & {}} thinning
+ */
+export function alike({ sensor, every, by: [all, few], counts: [count, tells] }) {
+  const rows = READINGS[sensor]
+  return (
+    `The ${rows} go together: even with a σ so large that it allows for other errors, neighbouring innovations are ` +
+    `correlated by ${fixed(all, 2)}. So ${count.toLocaleString('en')} of them tell about as much as ` +
+    `${fixed(tells, 0)} that err apart, and a fault would be named by chance. Take those first that are ` +
+    `at least ${fixed(every, every < 1 ? 1 : 0)} s apart: they are correlated by ${fixed(few, 2)}.`
+  )
+}
+
 /** What does not look like noise beside no fault. @param {LogJudgement} judgement */
 export function noisy({ noise: { nis, refused, correlated } }) {
   /** @param {LogJudgement['noise']['nis'] & {}} stretch */

@@ -47,8 +47,8 @@ const BEHIND =
  * @param {LogJudgement} judgement @param {Record<string, any>} params @param {Known} known
  */
 export function unsettledWords(judgement, params, known) {
-  // Beside a gap that is to be cut first no fault is named.
-  if (judgement.suspects[0]?.standing !== 'cleared' && cutsFirst(judgement.gaps)) return ''
+  // Beside a gap that is to be cut first no fault is named, and by readings that go together none is.
+  if (judgement.thinning || (judgement.suspects[0]?.standing !== 'cleared' && cutsFirst(judgement.gaps))) return ''
   const usual = judgement.suspects.filter((one) => MOTION.includes(one.name ?? '') && isUsual(one, params, known))
   const settled = told(judgement).every(({ own }) => own)
   if (settled && usual.length === MOTION.length && isGated(params)) return BEHIND

@@ -7,7 +7,7 @@ import { HIDDEN, bridged, cutsFirst } from './gaps.js'
 import { MIRRORED_BEARINGS, mirroredSentence } from './mirrored.js'
 import { NEAR, named } from './named.js'
 import { DELAYED, together } from './kinds.js'
-import { READINGS, noisy } from './noise.js'
+import { READINGS, alike, noisy } from './noise.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { blind, hides, sigmaSentence, withoutOutliers } from './sigmas.js'
 import { biased, displaced, exchanged } from './misplaced.js'
@@ -26,7 +26,7 @@ const DEGREES = 180 / Math.PI
  * @param {{ rows: number, truth: boolean, log?: Log | null }} drive
  */
 export function ranked(judgement, { rows, truth, log = null }) {
-  const { suspects, readings, ungated, other } = judgement
+  const { suspects, readings, ungated, other, thinning } = judgement
   const [first] = suspects
   const own = suspects.filter(({ own, standing }) => own && standing === 'cleared')
   const sound = first.standing === 'cleared'
@@ -38,9 +38,11 @@ export function ranked(judgement, { rows, truth, log = null }) {
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
         `likelier than chance does${own.length > 0 ? ', but for what may be the motion model’s own' : ''}.` +
         (log?.motion === 'odometry' && !suspects.some(({ fault }) => fault === 'odometry') ? UNSOUGHT : '')
-      : other
-        ? foreign(judgement, truth, log)
-        : sentences(judgement, truth, log),
+      : thinning
+        ? alike(thinning)
+        : other
+          ? foreign(judgement, truth, log)
+          : sentences(judgement, truth, log),
     ...own.map((suspect) => model(suspect, judgement)),
     sound ? arcs(judgement) : '',
     // A σ that has taken in a fault of the motion lets the start turn towards it.
