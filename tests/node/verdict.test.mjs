@@ -98,11 +98,15 @@ test('what is counted beside a larger σ is said so: the page’s own sum rises 
   const speed = (/** @type {number} */ time) => 2 + 1.5 * Math.sin(time / 3)
   const normal = normals(3)
   const rows = []
-  let x = 0
+  let [x, y, theta] = [0, 0, 0]
   for (let i = 0; i < 3000; i++) {
-    rows.push(`V,${i / 10},${speed(i / 10 - 0.6)},0`)
-    if (i % 10 === 0) rows.push(`P,${i / 10},${x + 0.4 * normal()},${0.4 * normal()}`)
-    x += 0.1 * speed(i / 10) + 0.06 * normal()
+    const turn = 0.04 * Math.cos(i / 71)
+    rows.push(`V,${i / 10},${speed(i / 10 - 0.6)},${10 * turn}`)
+    if (i % 10 === 0) rows.push(`P,${i / 10},${x + 0.4 * normal()},${y + 0.4 * normal()}`)
+    const way = 0.1 * speed(i / 10) + 0.09 * normal()
+    theta += turn
+    x += way * Math.cos(theta)
+    y += way * Math.sin(theta)
   }
   const pushed = rows.join('\n')
   const found = judged(pushed, { sigmaFix: 0.4 })

@@ -159,7 +159,7 @@ function asMean({ fault, name, sizes: [size] }, { period, ownDelay }) {
   const late = name === 'delaySpeed' || name === 'delayTurn' ? off : -off
   const [least, most] = HALF.map((part) => part * period)
   return least < late && late < most
-    ? `It is about half of a step of the motion, ${brief(period)} s: means over the step before are so late.`
+    ? `It is about half of a step of the motion, ${brief(period)} s: a table of means over the step before is so late.`
     : ''
 }
 
