@@ -81,7 +81,8 @@ export class Forms {
       this.keep?.(patch, host.figure.run.wanted.params)
       this.change(patch)
     }
-    this.sensors = new SensorForm(box, this.change, () => this.host.figure.run?.parameters() ?? [])
+    const parameters = () => this.host.figure.run?.parameters() ?? []
+    this.sensors = new SensorForm(box, this.change, parameters)
     // The first readings tell it as they are read now: with the σ and the offsets that are set.
     const opening = async () => {
       const { found } = await host.figure.run.opening()
@@ -104,7 +105,7 @@ export class Forms {
       this.started.push(found.start)
       return { ...patch, ...found }
     }
-    this.start = new StartForm(box, this.change, { opening, smooth })
+    this.start = new StartForm(box, this.change, { opening, smooth }, parameters)
     this.fit = new FitForm(box, { fit, stop: this.stopFit, take })
     /** Where the log begins by its first fixes, as text. */
     this.opening = ''

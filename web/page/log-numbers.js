@@ -106,6 +106,16 @@ export function settingWords(name) {
   return sensor ? `${words} of ${sensor.words}` : words
 }
 
+/**
+ * From where to where a setting may be, in a field's unit; null where that is not known.
+ * @param {import('estimate-wasm').Parameter[]} parameters @param {string} name @param {number} [unit]
+ * @returns {[number, number] | null}
+ */
+export function boundsOf(parameters, name, unit = 1) {
+  const known = parameters.find((one) => one.name === name)
+  return known ? [known.least / unit, known.greatest / unit] : null
+}
+
 /** A value for each sensor, of one for all or of some. @param {any} value @returns {Record<string, any>} */
 export function bySensor(value) {
   if (value !== null && typeof value === 'object') return value

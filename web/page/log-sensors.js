@@ -6,7 +6,7 @@
 import { part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
 import { percent } from '../widgets/robot-log/words.js'
-import { GATES, HELD, MOTION, SENSORS, acts, bySensor, learnedWords, ownFactor } from './log-numbers.js'
+import { GATES, HELD, MOTION, SENSORS, acts, boundsOf, bySensor, learnedWords, ownFactor } from './log-numbers.js'
 import { numberSlider } from './log-slider.js'
 import { numberField } from './number-field.js'
 
@@ -98,11 +98,8 @@ export class SensorForm {
 
   /** @param {HTMLElement} row @param {import('./log-numbers.js').Told} number */
   number(row, [name, words, scale, unit = 1]) {
-    const bounds = () => {
-      const known = this.parameters().find((one) => one.name === name)
-      return known ? /** @type {[number, number]} */ ([known.least / unit, known.greatest / unit]) : null
-    }
-    const slider = numberSlider(row, words, scale, (value) => this.change({ [name]: value * unit }), bounds)
+    const change = (/** @type {number} */ value) => this.change({ [name]: value * unit })
+    const slider = numberSlider(row, words, scale, change, () => boundsOf(this.parameters(), name, unit))
     // A scale that the filter learns is not told.
     this.shows.push(({ params }) =>
       slider.show(/** @type {any} */ (params)[name] / unit, name === 'scale' && params.learn),
@@ -113,9 +110,8 @@ export class SensorForm {
   every(row, key) {
     /** @type {any} */
     let every = 0
-    const field = numberField(row, 'least gap in time, s', (value) =>
-      this.change({ every: { ...bySensor(every), [key]: value } }),
-    )
+    const change = (/** @type {number} */ value) => this.change({ every: { ...bySensor(every), [key]: value } })
+    const field = numberField(row, 'least gap in time, s', change, () => boundsOf(this.parameters(), 'every'))
     this.shows.push(({ params }) => {
       every = params.every
       field.show(bySensor(every)[key] ?? 0)

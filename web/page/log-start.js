@@ -6,7 +6,7 @@
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
 import { withholdingShown } from '../widgets/robot-log/withheld.js'
-import { openedBy } from './log-numbers.js'
+import { boundsOf, openedBy } from './log-numbers.js'
 import { numberField } from './number-field.js'
 
 /** @typedef {import('estimate-wasm').LogContents} LogContents */
@@ -20,6 +20,11 @@ const POSE = [
   ['y, m', 1],
   ['heading, °', DEGREE],
 ]
+/** How uncertain it is. @type {[string, string, number][]} */
+const SPREAD = [
+  ['startSigma', 'σ of x and y, m', 1],
+  ['startSigmaHeading', 'σ of the heading, °', DEGREE],
+]
 
 const UNZOOMED = 'The panels show the whole log. Drag across one over time first.'
 
@@ -27,8 +32,10 @@ export class StartForm {
   /**
    * @param {HTMLElement} into @param {(patch: Patch) => void} change
    * @param {{ opening: () => void, smooth: () => void }} orders
+   * @param {() => import('estimate-wasm').Parameter[]} parameters of the filter, with their bounds
    */
-  constructor(into, change, orders) {
+  constructor(into, change, orders, parameters) {
+    this.parameters = parameters
     this.change = change
     this.orders = orders
     this.box = part(document, into, 'div', 'log-sensors')
@@ -67,10 +74,10 @@ export class StartForm {
         this.change({ start: pose.map((old, at) => (at === i ? value * factor : old)) }),
       ),
     )
-    const sigma = numberField(row, 'σ of x and y, m', (startSigma) => this.change({ startSigma }))
-    const turned = numberField(row, 'σ of the heading, °', (value) =>
-      this.change({ startSigmaHeading: value * DEGREE }),
-    )
+    const [sigma, turned] = SPREAD.map(([name, words, unit]) => {
+      const change = (/** @type {number} */ value) => this.change({ [name]: value * unit })
+      return numberField(row, words, change, () => boundsOf(this.parameters(), name, unit))
+    })
     const actions = part(document, row, 'div', 'log-actions')
     if (contents.opening) button(document, actions, `From the first ${openedBy(contents)}`, this.orders.opening)
     button(document, actions, 'At the origin', () => this.change({ start: null }))

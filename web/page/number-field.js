@@ -7,7 +7,7 @@ import { part } from '../draw/dom.js'
  * @param {string} words its label
  * @param {(value: number) => void} change called with a number that the reader has entered
  * @param {() => [number, number] | null} [bounds] from where to where it may be; another number is refused, and they
- * are said
+ * are said: what is set stays
  * @returns {{ input: HTMLInputElement, show: (value: number | null) => void }} `show` leaves alone what is being typed
  */
 export function numberField(into, words, change, bounds = () => null) {
@@ -27,7 +27,8 @@ export function numberField(into, words, change, bounds = () => null) {
     const value = numberOf(input.value)
     const [least, most] = bounds() ?? [-Infinity, Infinity]
     const beyond = value !== null && (value < least || value > most)
-    mark(value === null || beyond, beyond ? `${bound(least)} to ${bound(most)} are possible` : '')
+    const why = value === null ? 'A number is expected' : `${bound(least)} to ${bound(most)} are possible`
+    mark(value === null || beyond, value === null || beyond ? why : '')
     if (value !== null && !beyond) change(value)
   })
   return {
