@@ -25,7 +25,7 @@ test('beside no fault it is said where the innovations do not look like noise', 
   assert.doesNotMatch(ranked(judgement([suspect({})], { noise }), log), /Yet/, 'what is named is mended first')
 })
 
-test('of readings that go together the verdict names no fault: it says how few of them to take, and the press takes those', () => {
+test('of readings that go together no fault is named: it is said how far apart to take them, and a press does', () => {
   const thinning = { sensor: 'fix', every: 5, by: [0.978, 0.37], counts: [2067, 22.5] }
   const found = judgement([suspect({ fault: 'sigma', name: 'sigmaDistance' })], { thinning })
   const said = ranked(found, log)

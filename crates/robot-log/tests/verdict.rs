@@ -77,8 +77,8 @@ fn a_remedy_that_does_not_bring_the_truth_nearer_is_none() {
     }
 }
 
-/// The receiver filters its fixes: they come ten times a second, and err alike for seconds. A fault that so many seem to
-/// tell is not named; of as few as err apart, with the σ that they tell, the speed's delay is.
+/// The receiver filters its fixes: they come ten times a second, and err alike for seconds. A fault that so many seem
+/// to tell is not named; of as few as err apart, with the σ that they tell, the speed's delay is.
 #[test]
 fn the_car_s_fixes_go_together_and_its_speed_is_late() {
     let judgement = verdict(CAR, Settings::default());

@@ -1,7 +1,8 @@
 //! Readings whose innovations go together count as fewer: those of a receiver that filters its own fixes.
 //!
 //! N readings whose innovations have the autocorrelation ρ at lag 1, falling by it from each to the next, tell as much
-//! as N (1 − ρ)/(1 + ρ) that are independent (Bayley and Hammersley 1946). What a fault gains by them counts by that share.
+//! as N (1 − ρ)/(1 + ρ) that are independent (Bayley and Hammersley 1946). What a fault gains by them counts by that
+//! share.
 
 use crate::drive::evidence::{Evidence, Trial, Weighed};
 use crate::drive::row::Drive;
@@ -20,7 +21,8 @@ pub struct Thinning {
     pub sensor: Sensor,
     /// The least time between two of them, s.
     pub every: f64,
-    /// The autocorrelation of their innovations at lag 1, beside a σ that allows for what is wrong: of all, and of those.
+    /// The autocorrelation of their innovations at lag 1, beside a σ that allows for what is wrong: of all, and of
+    /// those.
     pub by: [f64; 2],
     /// How many are used, and how many are independent that tell as much.
     pub counts: [f64; 2],
