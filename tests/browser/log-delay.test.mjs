@@ -19,10 +19,13 @@ for (const viewport of [{ width: 1440, height: 900 }, { width: 900, height: 700 
     await choose(file('car.csv', CAR))
     await until(it, ({ summary }) => summary.used > 2000, 'the car')
     await enter(told(page, 'motion'), 'delay of the speed, s', '0.3')
-    // On a phone its words are above the slider: where they come after the focus, they move it.
-    if (viewport === PHONE) await until(it, ({ judgement, judging }) => judgement && !judging, 'the verdict')
     const slider = told(page, 'motion').getByLabel('delay of the speed, s, slider')
     await slider.focus()
+    // On a phone its words stand above the slider, and come after the focus: it stays where the hand is.
+    const { y: before } = await slider.boundingBox()
+    await until(it, ({ judgement, judging }) => judgement && !judging, 'the verdict')
+    const { y: after } = await slider.boundingBox()
+    assert.ok(Math.abs(after - before) < 2, `the slider went from ${before} to ${after} px`)
     const seen = []
     for (const delay of [0.3, 0.4, 0.5, 0.6, 0.7, 0.8]) {
       // A hundredth a press.

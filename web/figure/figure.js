@@ -10,7 +10,7 @@ import { Display } from './display.js'
 import { focusFirst } from '../draw/dom.js'
 import { hideFailure, showFailure } from './failure.js'
 import { liveHandles } from './handle.js'
-import { keepPressed, keepTop } from './hold-scroll.js'
+import { keepFocused, keepPressed, keepTop } from './hold-scroll.js'
 import { openLab } from './open-lab.js'
 import { loadBuild } from '../load/modules.js'
 import { STEP_MS } from './motion.js'
@@ -224,6 +224,7 @@ export class Figure {
   turn(now, budget) {
     const { display, progress, run } = this
     if (!display || !progress || !run) return
+    const stay = keepFocused(this.host)
     const began = performance.now()
     const elapsed = Number.isNaN(this.turned) ? Infinity : Math.max(0, now - this.turned)
     this.turned = now
@@ -239,6 +240,7 @@ export class Figure {
     const moving = display.paint(now, this.glide(elapsed))
     // Both, whatever the first answers.
     const [unlabelled, undrawn] = [display.label(now, began, run), display.drawOthers(began)]
+    stay()
     this.behind = unlabelled || undrawn
     if (moving || this.behind || run.busy || run.playing) this.ask()
     else this.turned = NaN

@@ -91,6 +91,30 @@ export function keepPressed(into, busy) {
   })
 }
 
+/**
+ * Keeps a slider where it is that has the focus, while words above it get longer: the next key moves it on.
+ * @param {Element} host
+ * @returns {() => void} to be called once all is drawn
+ */
+export function keepFocused(host) {
+  const { activeElement: hand } = host.ownerDocument
+  if (!hand?.matches('input[type="range"]') || !host.contains(hand)) return () => {}
+  const { top, bottom } = hand.getBoundingClientRect()
+  if (bottom < 0 || top > innerHeight) return () => {}
+  return () => {
+    const by = hand.getBoundingClientRect().top - top
+    if (Math.abs(by) >= 1) scrollerOf(hand).scrollBy({ top: by, behavior: 'instant' })
+  }
+}
+
+/** What scrolls an element: a part of the page, or the page. @param {Element} element */
+function scrollerOf(element) {
+  for (let around = element.parentElement; around; around = around.parentElement)
+    if (around.scrollHeight > around.clientHeight && /auto|scroll/.test(getComputedStyle(around).overflowY))
+      return around
+  return element.ownerDocument.documentElement
+}
+
 /** What a press holds in place. */
 const PRESSED = 'button, label, summary'
 
