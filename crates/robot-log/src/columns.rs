@@ -14,7 +14,7 @@ use crate::source::{Known, Source};
 use crate::stamp;
 use crate::table::LOOKED_AT;
 use crate::true_names::sought;
-use crate::unit::{DATE, QUATERNION, Unit, VARIANCE, named};
+use crate::unit::{ANGLE_VARIANCE, DATE, QUATERNION, Unit, VARIANCE, named};
 use crate::vocabulary::VARIANCES;
 use crate::wide;
 
@@ -171,8 +171,8 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
     let column = source.columns[at]?;
     let (table, name) = (source.table.as_ref()?, source.names.get(column)?);
     let said = name.unit(value.quantity);
-    use Quantity::{Angle, AngleRate, Heading, Length, SigmaWords, Speed};
-    let measured = matches!(value.quantity, Length | SigmaWords | Speed | AngleRate | Angle | Heading);
+    use Quantity::{Angle, AngleRate, AngleSpread, Heading, Length, SigmaWords, Speed};
+    let measured = matches!(value.quantity, Length | SigmaWords | Speed | AngleRate | Angle | AngleSpread | Heading);
     // A unit that stands there and is not known is asked about.
     if table.units && name.has_below() && measured && said.is_none() {
         return None;
@@ -240,7 +240,8 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
                 (true, true) => "deg/s clockwise",
             })
         }
-        Quantity::Angle => {
+        Quantity::AngleSpread if name.has_one(&VARIANCES) => usual(ANGLE_VARIANCE),
+        Quantity::Angle | Quantity::AngleSpread => {
             let turn = if value.name == "turn" { 3.2 } else { 7.0 };
             said.or_else(|| usual(if most > turn { "deg" } else { "rad" }))
         }

@@ -1,6 +1,8 @@
 //! What a file of a log can hold, and in which units.
 
-use Quantity::{Angle, AngleRate, Coordinate, Day, Fraction, Heading, Length, Number, SigmaWords, Speed, Time, Wheel};
+use Quantity::{
+    Angle, AngleRate, AngleSpread, Coordinate, Day, Fraction, Heading, Length, Number, SigmaWords, Speed, Time, Wheel,
+};
 
 /// What a column measures, which decides its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +19,8 @@ pub enum Quantity {
     SigmaWords,
     /// An angle.
     Angle,
+    /// How far an angle may be off.
+    AngleSpread,
     /// An angle with a direction that is 0: the axis of x, or north.
     Heading,
     /// A length in a second.
@@ -122,7 +126,7 @@ impl Role {
             optional("longitude", Coordinate),
             optional("sigma", SigmaWords),
             optional("heading", Heading),
-            optional("sigma of heading", Angle),
+            optional("sigma of heading", AngleSpread),
             FRACTION,
             DAY,
         ];

@@ -51,7 +51,7 @@ mod tests {
         let mut position = candidates("sigma", Quantity::SigmaWords, &names);
         position.retain(|at| is_of_position(&names, *at));
         let heading = candidates("heading", Quantity::Heading, &names).first().copied();
-        let called = candidates("sigma of heading", Quantity::Angle, &names);
+        let called = candidates("sigma of heading", Quantity::AngleSpread, &names);
         [position, of_heading(&names, heading, called)]
     }
 

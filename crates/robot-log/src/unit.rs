@@ -51,6 +51,7 @@ const LENGTHS: [Unit; 5] = [
 ];
 /// A variance: its root is the standard deviation.
 pub(crate) const VARIANCE: &str = "m\u{b2}";
+pub(crate) const ANGLE_VARIANCE: &str = "rad\u{b2}";
 
 const SPREADS: [Unit; 6] =
     [LENGTHS[0], LENGTHS[1], LENGTHS[2], LENGTHS[3], LENGTHS[4], unit(VARIANCE, 1.0, &["m\u{b2}", "m 2", "m2"])];
@@ -69,6 +70,8 @@ const ANGLES: [Unit; 5] = [
     unit("rad clockwise", -1.0, &[]),
     unit("deg clockwise", -DEGREE, &[]),
 ];
+const ANGLE_SPREADS: [Unit; 4] =
+    [ANGLES[0], ANGLES[1], ANGLES[2], unit(ANGLE_VARIANCE, 1.0, &["rad\u{b2}", "rad 2", "rad2"])];
 /// A heading may be four numbers: x, y, z and w, of which one column is chosen.
 pub(crate) const QUATERNION: &str = "quaternion";
 
@@ -133,6 +136,7 @@ pub fn units_of(quantity: Quantity) -> &'static [Unit] {
         Quantity::Speed => &SPEEDS,
         Quantity::SigmaWords => &SPREADS,
         Quantity::Angle => &ANGLES,
+        Quantity::AngleSpread => &ANGLE_SPREADS,
         Quantity::Heading => &HEADINGS,
         Quantity::AngleRate => &RATES,
         Quantity::Coordinate => &COORDINATES,
@@ -165,7 +169,7 @@ pub(crate) fn written(quantity: Quantity, words: &[String]) -> Option<(&'static 
 
 /// `number` of a unit in seconds, metres and radians.
 pub(crate) fn convert(unit: &Unit, number: f64) -> f64 {
-    if unit.name == VARIANCE {
+    if matches!(unit.name, VARIANCE | ANGLE_VARIANCE) {
         return number.max(0.0).sqrt();
     }
     if unit.factor.abs() > 0.1 && unit.factor != DEGREE && unit.factor != -DEGREE {

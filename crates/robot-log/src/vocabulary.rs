@@ -119,7 +119,7 @@ const WAYS: [(&str, &str); 21] = [
     (
         "sigma of heading",
         "heading accuracy,bearing accuracy,course accuracy,yaw accuracy,heading sigma,sigma heading,heading std,\
-         yaw std",
+         yaw std,=cov yawyaw,=cov yaw,=cov yaw yaw,heading variance,yaw variance",
     ),
     ("left", "left,links,linkes,gauche,izquierda,izquierdo,sinistra,sinistro,=l,=enc l,=encoder l,=wheel l"),
     ("right", "right,rechts,rechtes,droite,derecha,derecho,destra,destro,=r,=enc r,=encoder r,=wheel r"),

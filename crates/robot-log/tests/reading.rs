@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 #[path = "../../../tests/src/draws.rs"]
 mod draws;
-use robot_log::{Files, parse};
+use robot_log::{Files, Role, parse};
 
 const SOUND: &str = "\
 # a drive past one landmark
@@ -236,4 +236,19 @@ fn heights_of_landmarks_are_said_beside_ranges() {
     };
     let ranges = "1,1,2.5\n2,2,6.5\n";
     assert_eq!([notes("7", ranges), notes("0.0", ranges)], [true, false]);
+}
+
+#[test]
+fn a_covariance_of_the_yaw_is_the_variance_of_a_heading() {
+    let mut files = Files::default();
+    let speeds: String = (0..9).map(|i| format!("{},1,0.1\n", 0.1 * f64::from(i))).collect();
+    files.add("twist.csv", &format!("time,v,omega\n{speeds}")).expect("a table");
+    let poses =
+        "time,x,y,yaw,cov_xx,cov_yy,cov_yawyaw\n0,1,2,0.3,0.0025,0.0025,0.0004\n0.5,1.5,2,0.35,0.01,0.01,0.0009\n";
+    files.add("amcl_pose.csv", poses).expect("a table");
+    assert!(files.set_role(1, Role::Sensors));
+    let rows = files.read().expect("sound").log.drive.rows;
+    let sigmas = |of: fn(&Event) -> Option<f64>| rows.iter().filter_map(|row| of(&row.event)).collect::<Vec<_>>();
+    assert_eq!(sigmas(|it| if let Event::Position { sigma, .. } = it { *sigma } else { None }), [0.05, 0.1]);
+    assert_eq!(sigmas(|it| if let Event::Heading { sigma, .. } = it { *sigma } else { None }), [0.02, 0.03]);
 }
