@@ -6,6 +6,7 @@ import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { Server } from '../../web/widgets/robot-log/server.js'
 import { RemoteRun } from '../../web/widgets/robot-log/remote-run.js'
+import { judgement, suspect } from './verdicts.mjs'
 import { ranked } from '../../web/widgets/robot-log/verdict.js'
 import { verdict } from '../../web/widgets/robot-log/words.js'
 
@@ -257,4 +258,14 @@ test('beside rows of distances a verdict without a fault says what it has not lo
     / A scale of odometry’s distances is not among/,
   )
   assert.doesNotMatch(ranked(sound, { rows: 1, truth: false }), /not among/)
+})
+
+test('a compass that is off is told beside the offset that is set', () => {
+  const off = (now) => ({
+    fault: 'turned',
+    name: 'headingOffset',
+    sizes: [{ now, value: 0, sigma: 0.002, end: false }],
+  })
+  const said = (now) => ranked(judgement([suspect(off(now))]), { rows: 100, truth: false })
+  assert.match(said(-0.21), /reads 12\.\d+ ± 0\.\d+° too far counter-clockwise, beside the offset that is set: set the/)
 })

@@ -45,3 +45,6 @@ export const brief = (seconds) => String(Number(seconds.toPrecision(2)))
  */
 export const ownStep = ({ period, ownDelay }) =>
   `${ownDelay < period ? 'half a step' : 'a step'} between rows of motion, ${brief(ownDelay)} s`
+
+/** What a turn is told beside: nothing, or an offset that is set. @param {Size} size */
+export const besideSet = ({ now }) => (now === 0 ? '' : ', beside the offset that is set')

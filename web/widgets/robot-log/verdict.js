@@ -11,7 +11,7 @@ import { READINGS, alike, noisy } from './noise.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { blind, hides, sigmaSentence, withoutOutliers } from './sigmas.js'
 import { biased, displaced, exchanged } from './misplaced.js'
-import { brief, claimed, digits, isStair, ownStep, plusMinus } from './sized.js'
+import { besideSet, brief, claimed, digits, isStair, ownStep, plusMinus } from './sized.js'
 import { startSentence } from './start.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
@@ -258,13 +258,13 @@ export function sentence(suspect, truth, log = null) {
   const turned = { ...size, value: off, sigma: size.end ? null : size.sigma, end: false }
   if (name === 'bearingOffset')
     return (
-      `The camera is turned by ${plusMinus(turned, DEGREES)}°: ` +
+      `The camera is turned by ${plusMinus(turned, DEGREES)}°${besideSet(size)}: ` +
       `set the offset of its bearings to ${digits(size, DEGREES)}°.`
     )
   if (name === 'headingOffset')
     return (
       `The compass reads ${plusMinus({ ...turned, value: Math.abs(off) }, DEGREES)}° too far ` +
-      `${off > 0 ? 'counter-clockwise' : 'clockwise'}: ` +
+      `${off > 0 ? 'counter-clockwise' : 'clockwise'}${besideSet(size)}: ` +
       `set the offset of the headings, counted counter-clockwise, to ${digits(size, DEGREES)}°.`
     )
   if (name === 'turnBias')
