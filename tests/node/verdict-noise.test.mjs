@@ -26,7 +26,7 @@ test('beside no fault it is said where the innovations do not look like noise', 
 })
 
 test('of readings that go together no fault is named: it is said how far apart to take them, and a press does', () => {
-  const thinning = { sensor: 'fix', every: 5, by: [0.978, 0.37], counts: [2067, 22.5] }
+  const thinning = { every: 5, by: [0.978, 0.37], counts: [2067, 22.5], either: false }
   const found = judgement([suspect({ fault: 'sigma', name: 'sigmaDistance' })], { thinning })
   const said = ranked(found, log)
   assert.match(
@@ -43,4 +43,28 @@ test('of readings that go together no fault is named: it is said how far apart t
   assert.match(ranked(often, log), /at least 0\.5 s apart/)
   frame.params.every = { ...apart, fix: 0.1 }
   assert.equal(/** @type {any} */ (remedies(often, frame)[0].patch).every.fix, 0.5)
+})
+
+test('of positions that err alike a smaller σ is one of two: they may wander, and both have a press', () => {
+  const thinning = { every: 20, by: [0.95, 0.3], counts: [3000, 77], either: true }
+  const size = { now: 1, value: 0.0916, sigma: 0.0011, end: false }
+  const smaller = { fault: 'sigma', name: 'fixSigmaScale', sizes: [size], claims: [1, 1, 1] }
+  const other = suspect({ fault: 'sigma', name: 'sigmaTurn', sizes: [{ ...size, now: 0.02 }], standing: 'maybe' })
+  const found = judgement([suspect(smaller), other], { thinning })
+  const said = ranked(found, log)
+  assert.match(said, /^Either: The positions err alike .* correlated by 0\.95, as where a receiver’s errors wander\. /)
+  assert.match(said, /at least 20 s apart\. Or: The positions claim 1 m, and 0\.0916 .* do not tell which\.$/)
+  /** @type {any} */
+  const frame = { params: { gate: null, every: 0 }, truth: null }
+  const presses = (/** @type {any} */ one) => remedies(one, frame).map(({ press }) => press)
+  assert.deepEqual(presses(found), ['Either: take those 20 s apart', 'Or: fit both σ'])
+  // The truth may say that a smaller σ is none.
+  const refuted = judgement([suspect(smaller), other], { thinning, other: true })
+  assert.match(ranked(refuted, log), /^The positions err alike .* 20 s apart\.$/)
+  assert.deepEqual(presses(refuted), ['Take those 20 s apart'])
+  const gaps = [{ what: 'held', count: 1, longest: [120, 180], between: [151, 900] }]
+  const cut = { params: frame.params, truth: null, log: { corrections: {} } }
+  /** @type {any} */
+  const gap = judgement([suspect(smaller), other], { thinning, gaps })
+  assert.equal(remedies(gap, /** @type {any} */ (cut)).length, 1, 'a long gap is cut before all')
 })

@@ -8,6 +8,7 @@ import { rounded } from '../widgets/robot-log/sized.js'
 import { wrapped } from '../widgets/robot-log/start.js'
 import { counted, unsettled } from '../widgets/robot-log/unsettled.js'
 import { likeliest, named } from '../widgets/robot-log/named.js'
+import { apart } from '../widgets/robot-log/noise.js'
 import { bySensor } from './log-numbers.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
@@ -145,9 +146,11 @@ export function remedy(suspect, params, truth, log = null) {
  */
 export function remedies(judgement, frame) {
   const first = judgement && cut(judgement, frame.log)
-  if (!first) return mending(judgement, frame)
-  const { only, ...press } = first
-  return only ? [press] : [press, ...mending(judgement, frame)]
+  if (first?.only) return [first]
+  const { thinning = null } = judgement ?? {}
+  const mends = mending(judgement, frame)
+  const all = thinning ? either([thinned(thinning, frame.params), ...mends]) : mends
+  return first ? [first, ...all] : all
 }
 
 /**
@@ -155,25 +158,32 @@ export function remedies(judgement, frame) {
  * @returns {Remedy[]}
  */
 function mending(judgement, { params, truth, log }) {
-  if (judgement?.thinning) {
-    const { sensor, every } = judgement.thinning
-    const patch = { every: { ...bySensor(params.every), [sensor]: every } }
-    return [{ press: `Take those ${fixed(every, every < 1 ? 1 : 0)} s apart`, patch }]
-  }
   // What may be no fault has no press.
   const suspects = judgement ? [...named(judgement, log), ...likeliest(judgement)].filter(({ own }) => !own) : []
   const together = judgement ? unsettled(judgement) : []
   // What is said without the gate is mended without it.
   const off = judgement?.ungated ? { ungated: true } : {}
   if (together.length > 1) return [{ press: `Fit ${counted(together)} σ`, fit: together, ...off }]
-  const all = suspects.map((suspect) => remedy(suspect, params, Boolean(truth), log))
-  const either = ['Either', 'Or']
-  return all.flatMap((one, i) => {
+  return either(suspects.map((suspect) => remedy(suspect, params, Boolean(truth), log)))
+}
+
+/** One that mends it, or one of two. @param {(Remedy | null)[]} all @returns {Remedy[]} */
+const either = (all) =>
+  all.flatMap((one, i) => {
     if (!one) return []
     const { press } = one
-    return [{ ...one, press: all.length > 1 ? `${either[i]}: ${press[0].toLowerCase()}${press.slice(1)}` : press }]
+    const which = i === 0 ? 'Either' : 'Or'
+    return [{ ...one, press: all.length > 1 ? `${which}: ${press[0].toLowerCase()}${press.slice(1)}` : press }]
   })
-}
+
+/**
+ * Takes fixes so far apart that they err apart.
+ * @param {LogJudgement['thinning'] & {}} thinning @param {Frame['params']} params @returns {Remedy}
+ */
+const thinned = (thinning, params) => ({
+  press: `Take those ${apart(thinning)}`,
+  patch: { every: { ...bySensor(params.every), fix: thinning.every } },
+})
 
 /**
  * The gates without which σ that were found beside outliers are of no use, and what is said of that.

@@ -117,11 +117,11 @@ export interface LogJudgement {
     /** Whether what the first suspect gains is counted beside a σ that is enlarged. */
     beside: boolean;
     /**
-     * Where readings go together so that they tell no fault: whose they are, the least time in seconds between those
-     * that do not, how far neighbouring innovations are correlated beside a larger σ, of all and of those, and how many
+     * Where fixes go together so that they tell no fault, or (`either`) may have a smaller σ: the least time in seconds
+     * between those that do not, how far neighbouring innovations are correlated, of all and of those, and how many
      * there are and how many that err apart tell as much. Else null.
      */
-    thinning: { sensor: 'fix'; every: number; by: [number, number]; counts: [number, number] } | null;
+    thinning: { every: number; by: [number, number]; counts: [number, number]; either: boolean } | null;
     /**
      * By how much the log-likelihood rises where the robot turns on its way between two rows of motion; null where that
      * is no more than chance. The motion model drives straight and turns then.
@@ -286,9 +286,9 @@ fn times(Times { value, sigma, set, unit }: Times) -> JsValue {
     ])
 }
 
-fn thinning(Thinning { sensor, every, by, counts }: Thinning) -> JsValue {
+fn thinning(Thinning { every, by, counts, either, .. }: Thinning) -> JsValue {
     let [by, counts] = [by, counts].map(|pair| list(&pair));
-    record(&[("sensor", named(sensor).into()), ("every", every.into()), ("by", by), ("counts", counts)])
+    record(&[("every", every.into()), ("by", by), ("counts", counts), ("either", either.into())])
 }
 
 fn against(against: Option<Against>) -> JsValue {

@@ -130,6 +130,45 @@ fn the_delay_that_is_said_is_where_the_likelihood_of_the_settings_is_highest() {
     assert!(told(0.0) > told(-0.04) && told(0.0) > told(0.04), "{:?}", [-0.04, 0.0, 0.04].map(told));
 }
 
+/// A drive in curves with a position ten times a second that claims 1 m: its errors wander by 1 m within 40 s, or are
+/// noise, and there is noise of 3 cm; the speed may be late, s.
+fn claimed(wanders: bool, late: f64) -> String {
+    let mut normal = normals(5);
+    let (mut text, mut pose, mut error) = (String::new(), [0.0; 3], [normal(), normal()]);
+    let keep = (-0.1 / 40.0_f64).exp();
+    for i in 0..3000 {
+        let time = f64::from(i) / 10.0;
+        let speed = |time: f64| 8.0 + 4.0 * (time / 9.0).sin() + 2.0 * (time / 3.1).sin();
+        let omega = 0.25 * (time / 13.0).sin() + 0.15 * (time / 5.0).sin();
+        let [x, y, theta]: [f64; 3] = pose;
+        let off = error.map(|it| if wanders { it } else { 0.0 } + 0.03 * normal());
+        text += &format!("VE,{time},{},{omega}\nP,{time},{},{},1\n", speed(time - late), x + off[0], y + off[1]);
+        let (way, about) = (0.1 * speed(time + 0.05), theta + 0.05 * omega);
+        pose = [x + way * about.cos(), y + way * about.sin(), theta + 0.1 * omega];
+        error = error.map(|it| keep * it + (1.0 - keep * keep).sqrt() * normal());
+    }
+    text
+}
+
+/// Fixes that hardly change from one to the next may be better than they claim, or err alike: both are said. Where a
+/// fault makes their innovations alike, it is not.
+#[test]
+fn a_receiver_whose_errors_wander_is_not_simply_better_than_it_claims() {
+    let judged = |wanders, late| verdict(&claimed(wanders, late), Settings::default());
+    for late in [0.0, 0.4] {
+        let wanders = judged(true, late);
+        let first = &wanders.suspects[0];
+        assert_eq!((first.fault, first.number), (Fault::Sigma, Some(Fitted::FixSigmaScale)));
+        let thinning = wanders.thinning.expect("two that are told");
+        assert!(
+            thinning.either && thinning.every >= 2.0 && thinning.by[0] > 0.9 && thinning.by[1] < 0.5,
+            "{thinning:?}"
+        );
+        let white = judged(false, late);
+        assert!(white.thinning.is_none(), "{late}: {:?}", white.thinning);
+    }
+}
+
 #[test]
 fn a_log_without_a_reading_that_is_used_is_refused() {
     let drive = parse(CAR).expect("a log").drive;

@@ -32,9 +32,9 @@ function sureBefore(suspects) {
  * @param {LogJudgement} judgement @param {Log | null} [log]
  */
 export function named({ suspects, other, thinning }, log = null) {
-  if (!suspects[0] || suspects[0].standing === 'cleared' || other || thinning) return []
+  if (!suspects[0] || suspects[0].standing === 'cleared' || other || (thinning && !thinning.either)) return []
   const [first, ...others] = sureBefore(suspects)
-  if (first.standing === 'sure') return [first]
+  if (first.standing === 'sure' || thinning) return [first]
   // What was held against the truth, and is not the first, mends nothing; what may be no fault is none to choose.
   const rival = others.find(
     ({ standing, excess, mended, own }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended && !own,

@@ -7,19 +7,34 @@ import { fixed } from '../../draw/numbers.js'
 /** What the rows of a sensor are called. */
 export const READINGS = { fix: 'positions', heading: 'headings', range: 'ranges', bearing: 'ranges with a bearing' }
 
+/** How far apart they are taken, s. @param {LogJudgement['thinning'] & {}} thinning */
+export const apart = ({ every }) => `${fixed(every, every < 1 ? 1 : 0)} s apart`
+
 /**
- * Readings that go together: so many tell no more than a few do, and a fault would be named by chance.
- * @param {LogJudgement['thinning'] & {}} thinning
+ * What positions that go together leave to say alone: so many tell no more than a few do, and a fault would be named by
+ * chance. Empty where there is more.
+ * @param {LogJudgement} judgement
  */
-export function alike({ sensor, every, by: [all, few], counts: [count, tells] }) {
-  const rows = READINGS[sensor]
+export function alike({ thinning, other }) {
+  if (!thinning || (thinning.either && !other)) return ''
+  if (thinning.either) return wandering(thinning)
+  const [all, few] = thinning.by.map((by) => fixed(by, 2))
+  const [count, tells] = thinning.counts.map((count) => Math.round(count).toLocaleString('en'))
   return (
-    `The ${rows} go together: even with a σ so large that it allows for other errors, neighbouring innovations are ` +
-    `correlated by ${fixed(all, 2)}. So ${count.toLocaleString('en')} of them tell about as much as ` +
-    `${fixed(tells, 0)} that err apart, and a fault would be named by chance. Take those first that are ` +
-    `at least ${fixed(every, every < 1 ? 1 : 0)} s apart: they are correlated by ${fixed(few, 2)}.`
+    'The positions go together: even with a σ so large that it allows for other errors, neighbouring innovations are ' +
+    `correlated by ${all}. So ${count} of them tell about as much as ${tells} that err apart, and a fault would be ` +
+    `named by chance. Take those first that are at least ${apart(thinning)}: they are correlated by ${few}.`
   )
 }
+
+/**
+ * Positions that go together where a smaller σ of theirs fits: that may be how little their errors change.
+ * @param {LogJudgement['thinning'] & {}} thinning
+ */
+export const wandering = (thinning) =>
+  `The positions err alike from one to the next: neighbouring innovations are correlated by ${fixed(thinning.by[0], 2)}, ` +
+  'as where a receiver’s errors wander. Then their σ may be right, and so many tell no more than a few: take those ' +
+  `that are at least ${apart(thinning)}.`
 
 /** What does not look like noise beside no fault. @param {LogJudgement} judgement */
 export function noisy({ noise: { nis, refused, correlated } }) {

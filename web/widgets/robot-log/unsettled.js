@@ -2,6 +2,7 @@
 
 import { cutsFirst } from './gaps.js'
 import { likeliest, named } from './named.js'
+import { alike } from './noise.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
 /** @typedef {import('estimate-wasm').Parameter[]} Known */
@@ -48,7 +49,7 @@ const BEHIND =
  */
 export function unsettledWords(judgement, params, known) {
   // Beside a gap that is to be cut first no fault is named, and by readings that go together none is.
-  if (judgement.thinning || (judgement.suspects[0]?.standing !== 'cleared' && cutsFirst(judgement.gaps))) return ''
+  if (alike(judgement) || (judgement.suspects[0]?.standing !== 'cleared' && cutsFirst(judgement.gaps))) return ''
   const usual = judgement.suspects.filter((one) => MOTION.includes(one.name ?? '') && isUsual(one, params, known))
   const settled = told(judgement).every(({ own }) => own)
   if (settled && usual.length === MOTION.length && isGated(params)) return BEHIND

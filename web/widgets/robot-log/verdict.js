@@ -7,7 +7,7 @@ import { HIDDEN, bridged, cutsFirst } from './gaps.js'
 import { MIRRORED_BEARINGS, mirroredSentence } from './mirrored.js'
 import { NEAR, named } from './named.js'
 import { DELAYED, together } from './kinds.js'
-import { READINGS, alike, noisy } from './noise.js'
+import { READINGS, alike, noisy, wandering } from './noise.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { blind, hides, sigmaSentence, withoutOutliers } from './sigmas.js'
 import { biased, displaced, exchanged } from './misplaced.js'
@@ -26,7 +26,7 @@ const DEGREES = 180 / Math.PI
  * @param {{ rows: number, truth: boolean, log?: Log | null }} drive
  */
 export function ranked(judgement, { rows, truth, log = null }) {
-  const { suspects, readings, ungated, other, thinning } = judgement
+  const { suspects, readings, ungated, other } = judgement
   const [first] = suspects
   const own = suspects.filter(({ own, standing }) => own && standing === 'cleared')
   const sound = first.standing === 'cleared'
@@ -38,11 +38,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
         `likelier than chance does${own.length > 0 ? ', but for what may be the motion model’s own' : ''}.` +
         (log?.motion === 'odometry' && !suspects.some(({ fault }) => fault === 'odometry') ? UNSOUGHT : '')
-      : thinning
-        ? alike(thinning)
-        : other
-          ? foreign(judgement, truth, log)
-          : sentences(judgement, truth, log),
+      : alike(judgement) || (other ? foreign(judgement, truth, log) : sentences(judgement, truth, log)),
     ...own.map((suspect) => model(suspect, judgement)),
     sound ? arcs(judgement) : '',
     // A σ that has taken in a fault of the motion lets the start turn towards it.
@@ -63,7 +59,7 @@ const UNSOUGHT = ' A scale of odometry’s distances is not among them.'
 
 /** @param {LogJudgement} judgement @param {boolean} truth @param {Log | null} log */
 function sentences(judgement, truth, log) {
-  const { suspects, beside, pace } = judgement
+  const { suspects, beside, pace, thinning } = judgement
   const [, ...others] = suspects
   const [first, rival] = named(judgement, log)
   const told = (/** @type {Suspect} */ suspect) => {
@@ -81,6 +77,7 @@ function sentences(judgement, truth, log) {
     : `The log-likelihood rises by ${rise(first.gain)}.`
   const more = others.some(({ standing }) => standing !== 'cleared') || first.gain > LARGE
   const next = more ? ` What else is wrong shows once this is mended${bent(first)}.` : ''
+  if (thinning) return `Either: ${wandering(thinning)} Or: ${told(first)} The readings do not tell which.`
   if (first.standing === 'sure') return `${told(first)} ${gain}${next}`
   if (rival) return `Either: ${told(first)} Or: ${told(rival)} The readings do not tell which.`
   if (first.excess < NEAR) return `Perhaps: ${told(first)} Chance explains it nearly as well.`

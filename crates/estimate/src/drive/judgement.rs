@@ -48,7 +48,8 @@ pub struct Judgement {
     pub ungated: bool,
     /// Whether what the first suspects gain is counted beside a σ that is enlarged.
     pub beside: bool,
-    /// How few of the fixes may be taken for their errors not to go together, where no fault is told because they do.
+    /// How few of the fixes may be taken for their errors not to go together, where no fault is told because they do,
+    /// or where a smaller σ of theirs may be that.
     pub thinning: Option<Thinning>,
     /// By how much the log-likelihood rises where the robot turns on its way between two rows of motion, where that is
     /// more than chance: the motion model drives straight and turns then. The suspects are freed beside it.

@@ -5,14 +5,20 @@
 //! share.
 
 use crate::drive::evidence::{Evidence, Trial, Weighed};
+use crate::drive::fault::Fault;
+use crate::drive::fitted::Fitted;
+use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
 use crate::drive::sensor::Sensor;
+use crate::drive::suspect::Suspect;
 
 /// The times between readings that are tried, s.
 const TIMES: [f64; 8] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
-/// Readings that are correlated by less are told apart well enough, and so many are left at least.
+/// Readings that are correlated by less err apart well enough, and so many are left at least.
 const APART: f64 = 0.5;
-const FEWEST: usize = 40;
+const FEWEST: usize = 12;
+/// A σ of the fixes that fits is less than this part of what they claim, where their errors may wander instead.
+const LESS: f64 = 0.5;
 
 /// How few of a sensor's readings may be taken, so that their errors do not go together.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +32,8 @@ pub struct Thinning {
     pub by: [f64; 2],
     /// How many are used, and how many are independent that tell as much.
     pub counts: [f64; 2],
+    /// Whether it is one of two: the fixes may be better than they claim instead.
+    pub either: bool,
 }
 
 /// d² of a reading.
@@ -62,6 +70,36 @@ pub(crate) fn thinning(drive: &Drive, place: &Trial, base: &Evidence, rows: u32)
         *place.settings.every.of_mut(sensor) = every;
         let left = lag1(&Evidence::new(drive, &place, rows).ok()?.readings, sensor);
         let few = (FEWEST..count).contains(&left.0) && left.1 < APART;
-        few.then(|| Thinning { sensor, every, by: [by, left.1], counts: [count as f64, count as f64 * share(by)] })
+        few.then(|| Thinning {
+            sensor,
+            every,
+            by: [by, left.1],
+            counts: [count as f64, count as f64 * share(by)],
+            either: false,
+        })
     })
+}
+
+/// How far apart fixes are to be taken where a smaller σ of theirs is likeliest, and that may be how little their errors
+/// change from one to the next; `None` where a fault explains why they go together.
+pub(crate) fn wandering(
+    drive: &Drive,
+    round: &Round,
+    scope: &Scope,
+    named: (&[Suspect], &[Trial]),
+) -> Option<Thinning> {
+    let (suspects, places) = named;
+    let (first, rows, base) = (suspects.first()?, scope.rows, round.base.as_ref()?);
+    let of_fixes = matches!(first.number, Some(Fitted::SigmaFix | Fitted::FixSigmaScale));
+    let smaller = first.sizes.first().is_some_and(|size| size.value < LESS * size.now);
+    let correlated = |evidence: &Evidence| lag1(&evidence.readings, Sensor::Fix).1 > APART;
+    if first.fault != Fault::Sigma || !of_fixes || !smaller || !correlated(base) {
+        return None;
+    }
+    let faults = suspects.iter().zip(places).filter(|(it, _)| it.fault != Fault::Sigma && it.excess > 0.0);
+    let explained = |place: &Trial| Evidence::new(drive, place, rows).is_ok_and(|mended| !correlated(&mended));
+    if faults.into_iter().any(|(_, place)| explained(place)) {
+        return None;
+    }
+    thinning(drive, &round.place, base, rows).map(|it| Thinning { either: true, ..it })
 }

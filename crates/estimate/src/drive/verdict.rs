@@ -30,7 +30,7 @@ use crate::drive::round::{Round, Scope};
 use crate::drive::row::{Drive, Motion};
 use crate::drive::settings::Settings;
 use crate::drive::suspect::{Standing, Suspect};
-use crate::drive::thinning::Thinning;
+use crate::drive::thinning::{Thinning, wandering};
 use crate::drive::tried::Tried;
 use crate::drive::weight::{ranked, sifted, stand};
 use crate::error::{Code, Error};
@@ -224,6 +224,9 @@ impl Verdict {
         noisy_turns(drive, &mut self.suspects, &places, &self.scope);
         if !self.hoisted {
             may_be_own(drive, &mut self.suspects, &self.first, &self.scope, own_delay);
+        }
+        if self.thinning.is_none() {
+            self.thinning = wandering(drive, &self.first, &self.scope, (&self.suspects, &places));
         }
         self.hold_against_the_truth(drive, &places);
         self.suspects.append(&mut self.own);
