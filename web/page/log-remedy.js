@@ -146,11 +146,12 @@ export function remedy(suspect, params, truth, log = null) {
  */
 export function remedies(judgement, frame) {
   const first = judgement && cut(judgement, frame.log)
-  if (first?.only) return [first]
   const { thinning = null } = judgement ?? {}
   const mends = mending(judgement, frame)
   const all = thinning ? either([thinned(thinning, frame.params), ...mends]) : mends
-  return first ? [first, ...all] : all
+  if (!first) return all
+  const { only, ...press } = first
+  return only ? [press] : [press, ...all]
 }
 
 /**

@@ -32,9 +32,9 @@ export function alike({ thinning, other }) {
  * @param {LogJudgement['thinning'] & {}} thinning
  */
 export const wandering = (thinning) =>
-  `The positions err alike from one to the next: neighbouring innovations are correlated by ${fixed(thinning.by[0], 2)}, ` +
-  'as where a receiver’s errors wander. Then their σ may be right, and so many tell no more than a few: take those ' +
-  `that are at least ${apart(thinning)}.`
+  'The positions err alike from one to the next: neighbouring innovations are correlated by ' +
+  `${fixed(thinning.by[0], 2)}, as where a receiver’s errors wander. Then their σ may be right, and so many tell no ` +
+  `more than a few: take those that are at least ${apart(thinning)}.`
 
 /** What does not look like noise beside no fault. @param {LogJudgement} judgement */
 export function noisy({ noise: { nis, refused, correlated } }) {

@@ -80,8 +80,8 @@ pub(crate) fn thinning(drive: &Drive, place: &Trial, base: &Evidence, rows: u32)
     })
 }
 
-/// How far apart fixes are to be taken where a smaller σ of theirs is likeliest, and that may be how little their errors
-/// change from one to the next; `None` where a fault explains why they go together.
+/// How far apart fixes are to be taken where a smaller σ of theirs is likeliest, and that may be how little their
+/// errors change from one to the next; `None` where a fault explains why they go together.
 pub(crate) fn wandering(
     drive: &Drive,
     round: &Round,
