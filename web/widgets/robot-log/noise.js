@@ -28,13 +28,13 @@ export function alike({ thinning, other }) {
 }
 
 /**
- * Positions that go together where a smaller σ of theirs fits: that may be how little their errors change.
+ * Positions that go together where another σ fits: that may be how little their errors change.
  * @param {LogJudgement['thinning'] & {}} thinning
  */
 export const wandering = (thinning) =>
   'The positions err alike from one to the next: neighbouring innovations are correlated by ' +
-  `${fixed(thinning.by[0], 2)}, as where a receiver’s errors wander. Then their σ may be right, and so many tell no ` +
-  `more than a few: take those that are at least ${apart(thinning)}.`
+  `${fixed(thinning.by[0], 2)}, as where a receiver’s errors wander. Then so many tell no more than a few, and the ` +
+  `filter is too sure: take those that are at least ${apart(thinning)}.`
 
 /** What does not look like noise beside no fault. @param {LogJudgement} judgement */
 export function noisy({ noise: { nis, refused, correlated } }) {

@@ -10,7 +10,9 @@ use crate::drive::fitted::Fitted;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
 use crate::drive::sensor::Sensor;
+use crate::drive::settings::Settings;
 use crate::drive::suspect::Suspect;
+use alloc::vec::Vec;
 
 /// The times between readings that are tried, s.
 const TIMES: [f64; 8] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
@@ -18,7 +20,9 @@ const TIMES: [f64; 8] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
 const APART: f64 = 0.5;
 const FEWEST: usize = 12;
 /// A σ of the fixes that fits is less than this part of what they claim, where their errors may wander instead.
-const LESS: f64 = 0.5;
+const LESS: f64 = 0.8;
+/// The part of the motion's σ with which a filter holds to its motion.
+const STILL: f64 = 0.1;
 
 /// How few of a sensor's readings may be taken, so that their errors do not go together.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,44 +66,63 @@ pub(crate) fn less(evidence: &Evidence, base: &Evidence, from: u32) -> f64 {
 
 /// How far apart fixes are to be taken, beside the σ that a place has; `None` where those that are left would be few.
 pub(crate) fn thinning(drive: &Drive, place: &Trial, base: &Evidence, rows: u32) -> Option<Thinning> {
-    let sensor = Sensor::Fix;
+    spread(drive, place, base, rows).find(|it| it.by[1] < APART)
+}
+
+/// Fixes that are taken farther and farther apart, for as long as more than a few are left.
+fn spread(drive: &Drive, place: &Trial, base: &Evidence, rows: u32) -> impl Iterator<Item = Thinning> {
+    let (sensor, now) = (Sensor::Fix, *place.settings.every.of(Sensor::Fix));
     let (count, by) = lag1(&base.readings, sensor);
-    let now = *place.settings.every.of(sensor);
-    TIMES.into_iter().filter(|every| *every > now).find_map(|every| {
+    let counts = [count as f64, count as f64 * share(by)];
+    TIMES.into_iter().filter(move |every| *every > now).filter_map(move |every| {
         let mut place = *place;
         *place.settings.every.of_mut(sensor) = every;
         let left = lag1(&Evidence::new(drive, &place, rows).ok()?.readings, sensor);
-        let few = (FEWEST..count).contains(&left.0) && left.1 < APART;
-        few.then(|| Thinning {
-            sensor,
-            every,
-            by: [by, left.1],
-            counts: [count as f64, count as f64 * share(by)],
-            either: false,
-        })
+        let some = (FEWEST..count).contains(&left.0);
+        some.then_some(Thinning { sensor, every, by: [by, left.1], counts, either: false })
     })
 }
 
-/// How far apart fixes are to be taken where a smaller σ of theirs is likeliest, and that may be how little their
-/// errors change from one to the next; `None` where a fault explains why they go together.
+/// Whether a smaller σ of the fixes is what a suspect says.
+fn is_smaller(suspect: &Suspect) -> bool {
+    let of_fixes = matches!(suspect.number, Some(Fitted::SigmaFix | Fitted::FixSigmaScale));
+    suspect.fault == Fault::Sigma && of_fixes && suspect.sizes.iter().all(|size| size.value < size.now)
+}
+
+/// Leaves out a smaller σ of fixes that are taken apart: how little they change tells nothing of how far off they are.
+pub(crate) fn without_smaller(settings: &Settings, found: &mut Vec<(Suspect, Trial)>) {
+    if *settings.every.of(Sensor::Fix) > 0.0 {
+        found.retain(|(suspect, _)| !is_smaller(suspect));
+    }
+}
+
+/// How far apart fixes are to be taken where a smaller σ of theirs is likeliest, or a larger one of the motion beside
+/// which they still go together: that may be how little their errors change from one to the next. `None` where a fault
+/// explains why they go together.
 pub(crate) fn wandering(
     drive: &Drive,
     round: &Round,
     scope: &Scope,
-    named: (&[Suspect], &[Trial]),
+    (suspects, places): (&[Suspect], &[Trial]),
 ) -> Option<Thinning> {
-    let (suspects, places) = named;
     let (first, rows, base) = (suspects.first()?, scope.rows, round.base.as_ref()?);
-    let of_fixes = matches!(first.number, Some(Fitted::SigmaFix | Fitted::FixSigmaScale));
-    let smaller = first.sizes.first().is_some_and(|size| size.value < LESS * size.now);
     let correlated = |evidence: &Evidence| lag1(&evidence.readings, Sensor::Fix).1 > APART;
-    if first.fault != Fault::Sigma || !of_fixes || !smaller || !correlated(base) {
+    let alike = |place: &Trial| Evidence::new(drive, place, rows).is_ok_and(|mended| correlated(&mended));
+    let of_motion = matches!(first.number, Some(Fitted::SigmaDistance | Fitted::SigmaTurn))
+        && first.sizes.iter().all(|size| size.value > size.now);
+    let smaller = is_smaller(first) && first.sizes.iter().all(|size| size.value < LESS * size.now);
+    if !correlated(base) || !(smaller || of_motion && alike(places.first()?)) {
         return None;
     }
-    let faults = suspects.iter().zip(places).filter(|(it, _)| it.fault != Fault::Sigma && it.excess > 0.0);
-    let explained = |place: &Trial| Evidence::new(drive, place, rows).is_ok_and(|mended| !correlated(&mended));
-    if faults.into_iter().any(|(_, place)| explained(place)) {
+    let mut faults = suspects.iter().zip(places).filter(|(it, _)| it.fault != Fault::Sigma && it.excess > 0.0);
+    if faults.any(|(_, place)| !alike(place)) {
         return None;
     }
-    thinning(drive, &round.place, base, rows).map(|it| Thinning { either: true, ..it })
+    // A filter that holds to its motion follows no error that wanders.
+    let mut still = round.place;
+    still.settings.sigma_distance *= STILL;
+    still.settings.sigma_turn *= STILL;
+    let all: Vec<Thinning> = spread(drive, &still, base, rows).collect();
+    let far = all.iter().find(|it| it.by[1] < APART).or(all.last());
+    far.map(|it| Thinning { either: true, ..*it })
 }

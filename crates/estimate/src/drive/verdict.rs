@@ -30,7 +30,7 @@ use crate::drive::round::{Round, Scope};
 use crate::drive::row::{Drive, Motion};
 use crate::drive::settings::Settings;
 use crate::drive::suspect::{Standing, Suspect};
-use crate::drive::thinning::{Thinning, wandering};
+use crate::drive::thinning::{Thinning, wandering, without_smaller};
 use crate::drive::tried::Tried;
 use crate::drive::weight::{ranked, sifted, stand};
 use crate::error::{Code, Error};
@@ -149,6 +149,7 @@ impl Verdict {
         if self.stage == Stage::First {
             let mut found = core::mem::take(&mut self.first.found);
             sifted(&mut found, self.scope.chance[1]);
+            without_smaller(&self.first.place.settings, &mut found);
             self.first.found = ranked(found);
             if self.trust_gates() || self.turn_on_the_way(drive) || self.set_apart(drive) {
                 return Ok(true);
