@@ -64,8 +64,12 @@ pub(crate) fn less(evidence: &Evidence, base: &Evidence, from: u32) -> f64 {
     (1.0 - share(by)) * evidence.gain_of(base, from, |sensor| sensor == Sensor::Fix).max(0.0)
 }
 
-/// How far apart fixes are to be taken, beside the σ that a place has; `None` where those that are left would be few.
+/// How far apart fixes are to be taken, beside the σ that a place has; `None` where they err apart as it is, and where
+/// those that are left would be few.
 pub(crate) fn thinning(drive: &Drive, place: &Trial, base: &Evidence, rows: u32) -> Option<Thinning> {
+    if lag1(&base.readings, Sensor::Fix).1 <= APART {
+        return None;
+    }
     spread(drive, place, base, rows).find(|it| it.by[1] < APART)
 }
 
