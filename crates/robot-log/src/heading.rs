@@ -77,6 +77,10 @@ pub(crate) fn unit(
     if degrees && !from_north && !captured && name.has_one(&ASKED) {
         return None;
     }
+    // Beside latitudes they are counted from either: east is x there, and a compass counts from north.
+    if !degrees && global && !down && !name.has_one(&COURSE) {
+        return None;
+    }
     Some(match (degrees, from_north) {
         (false, false) => "rad",
         (true, false) => "deg",

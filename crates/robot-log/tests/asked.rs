@@ -174,3 +174,16 @@ fn of_several_clocks_it_is_said_whose_each_is_and_what_follows() {
     }
     assert!(phone.files()[0].columns()[7].is_none(), "the time of a heading is no heading");
 }
+
+#[test]
+fn a_heading_in_radians_beside_latitudes_is_asked_where_it_begins() {
+    let truth =
+        "time_s,true_latitude_deg,true_longitude_deg,true_heading_rad\n0,48.35,11.78,0.65\n1,48.3501,11.78,0.7\n";
+    let mut all = files(&[("wheels.csv", &wheels(false)), ("truth.csv", truth)]);
+    assert!(refused(&all).message.contains("true_heading_rad"), "{}", refused(&all));
+    assert!(all.set_unit(1, "heading", "rad"));
+    assert_eq!(all.read().expect("sound").log.drive.truth.poses()[0].theta, 0.65);
+    // A course is always counted from north.
+    let course = truth.replace("true_heading_rad", "course_rad");
+    assert!(files(&[("wheels.csv", &wheels(false)), ("truth.csv", &course)]).read().is_ok());
+}
