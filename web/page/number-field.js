@@ -28,8 +28,9 @@ export function numberField(into, words, change, bounds = () => null) {
     const [least, most] = bounds() ?? [-Infinity, Infinity]
     const beyond = value !== null && (value < least || value > most)
     const why = value === null ? 'A number is expected' : `${bound(least)} to ${bound(most)} are possible`
-    mark(value === null || beyond, value === null || beyond ? why : '')
-    if (value !== null && !beyond) change(value)
+    const wrong = value === null || beyond
+    mark(wrong, wrong ? why : '')
+    if (!wrong) change(value)
   })
   return {
     input,

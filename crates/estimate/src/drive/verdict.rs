@@ -230,6 +230,9 @@ impl Verdict {
             self.thinning = wandering(drive, &self.first, &self.scope, (&self.suspects, &places));
         }
         self.hold_against_the_truth(drive, &places);
+        // Where there is no fault, none hides in what they have in common.
+        let fault = self.suspects.first().is_some_and(|first| first.standing != Standing::Cleared);
+        self.thinning = self.thinning.filter(|_| fault);
         self.suspects.append(&mut self.own);
     }
 
