@@ -1,12 +1,13 @@
 //! Verdicts on logs whose fixes are of an antenna that does not stand where the robot's pose is. Natively only.
 
-use chapter_tests::planted::{Log, WORLDS, judged};
-use estimate::drive::{Event, Fault, Fitted, Pose, Standing};
+use chapter_tests::planted::{Log, WORLDS, corrupted, judged};
+use estimate::drive::{Event, Fault, Fitted, Pose, Settings, Standing};
 
-/// A sound log of a world, whose fixes are then of an antenna so far ahead and to the left. Where the log has no truth
-/// of its own, the one that the fixes are moved by is thrown away again.
-fn mounted(world: &str, n: u64, [ahead, left]: [f64; 2]) -> Log {
-    let world = WORLDS.iter().find(|it| it.name == world).expect("a world");
+/// A sound log of a world, which may change its rates evenly, whose fixes are then of an antenna so far ahead and to
+/// the left. Where the log has no truth of its own, the one that the fixes are moved by is thrown away again.
+fn mounted(name: &str, even: bool, n: u64, [ahead, left]: [f64; 2]) -> Log {
+    let world = WORLDS.into_iter().find(|it| it.name == name).expect("a world");
+    let world = if even { world.even() } else { world };
     let (known, mut log) = (world.sound(9300 + n, true), world.sound(9300 + n, n.is_multiple_of(2)));
     let poses: Vec<Pose> = known.drive.truth.poses().to_vec();
     for row in &mut log.drive.rows {
@@ -26,7 +27,7 @@ fn an_antenna_that_stands_elsewhere_is_named_with_its_place() {
             .into_iter()
             .enumerate()
     {
-        let log = mounted(world, n as u64, at);
+        let log = mounted(world, false, n as u64, at);
         let first = judged(&log).expect("a verdict").suspects.remove(0);
         assert_eq!(first.fault, Fault::Antenna, "{world} {at:?}: {first:?}");
         for (size, at) in first.sizes.iter().zip(at) {
@@ -50,7 +51,7 @@ fn an_antenna_that_stands_elsewhere_is_named_with_its_place() {
 #[test]
 fn an_antenna_that_stands_elsewhere_and_is_late_is_found_with_both() {
     for (n, at) in [[5.0, 1.0], [-4.0, 0.0]].into_iter().enumerate() {
-        let mut log = mounted("car", 20 + n as u64, at);
+        let mut log = mounted("car", false, 20 + n as u64, at);
         for row in &mut log.drive.rows {
             row.time += if row.event.is_motion() { 0.0 } else { 0.5 };
         }
@@ -69,6 +70,51 @@ fn an_antenna_that_stands_elsewhere_and_is_late_is_found_with_both() {
         };
         for (size, wanted) in sizes.into_iter().zip([at[0], at[1], 0.5]) {
             assert!((size.value - wanted).abs() < 3.0 * size.sigma, "{size:?} {wanted}");
+        }
+    }
+}
+
+/// The setting of a motion's delay.
+fn set(delay: Fitted, settings: &mut Settings) -> &mut f64 {
+    match delay {
+        Fitted::DelaySpeed => &mut settings.delays.speed,
+        Fitted::DelayTurn => &mut settings.delays.turn,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Early fixes look like late motion. Where an antenna stands elsewhere and the speed or the turn rate alone is
+/// late, no verdict takes the fixes for early, and both are found.
+#[test]
+fn an_antenna_that_stands_elsewhere_is_found_with_a_speed_that_is_late() {
+    let cases = [(Fitted::DelaySpeed, 0.5, [5.0, 0.0]), (Fitted::DelaySpeed, 0.4, [-4.0, 1.0])];
+    let turned = [(Fitted::DelayTurn, 0.6, [4.0, -1.0]), (Fitted::DelayTurn, 0.5, [-4.0, 0.0])];
+    for (n, (number, late, at)) in cases.into_iter().chain(turned).enumerate() {
+        let mut log = corrupted(mounted("car", true, 40 + n as u64, at), number, late);
+        let mut found = [None; 3];
+        for _ in 0..3 {
+            let first = judged(&log).expect("a verdict").suspects.remove(0);
+            match (first.fault, first.number.or(first.with), &first.sizes[..]) {
+                (Fault::Antenna, delay, sizes) => {
+                    log.settings.antenna = [sizes[0].value, sizes[1].value];
+                    found[..2].copy_from_slice(&[Some(sizes[0]), Some(sizes[1])]);
+                    if let (Some(delay), Some(size)) = (delay, sizes.get(2)) {
+                        assert_eq!(delay, number, "{at:?}");
+                        *set(delay, &mut log.settings) = size.value;
+                        found[2] = Some(*size);
+                    }
+                }
+                (Fault::Clock, Some(delay), [size]) => {
+                    assert_eq!(delay, number, "{at:?}");
+                    *set(delay, &mut log.settings) = size.value;
+                    found[2] = Some(*size);
+                }
+                _ => break,
+            }
+        }
+        for (size, wanted) in found.into_iter().zip([at[0], at[1], late]) {
+            let size = size.expect("it was found");
+            assert!((size.value - wanted).abs() < 3.0 * size.sigma, "{at:?} {number:?}: {size:?} {wanted}");
         }
     }
 }

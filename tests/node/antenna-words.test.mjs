@@ -9,7 +9,8 @@ import { ranked, sentence } from '../../web/widgets/robot-log/verdict.js'
 import { judgement, suspect } from './verdicts.mjs'
 
 const size = (/** @type {number} */ value, /** @type {number} */ sigma) => ({ now: 0, value, sigma, end: false })
-const antenna = (/** @type {any[]} */ ...sizes) => suspect({ fault: 'antenna', name: null, sizes })
+const antenna = (/** @type {any[]} */ ...sizes) =>
+  suspect({ fault: 'antenna', name: null, with: sizes[2] ? 'delayFix' : null, sizes })
 const params = /** @type {any} */ ({ start: [10, 20, Math.PI / 2], antennaAhead: 0, antennaLeft: 0 })
 
 test('it is said where the antenna stands, and set there', () => {
@@ -37,6 +38,10 @@ test('what the model may have as its own is said, and a delay is set with the pl
   assert.match(said(ahead, left, late), / to its left, and these come 0\.350 ± 0\.020 s late: .* delay to 0\.450 s\./)
   const { patch } = /** @type {any} */ (remedy(antenna(ahead, left, late), params, true))
   assert.deepEqual(patch, { antennaAhead: 0.523, antennaLeft: 0.031, delayFix: 0.45 })
+  const speed = { ...antenna(ahead, left, { ...size(0.2, 0.002) }), with: 'delaySpeed' }
+  assert.match(sentence(speed, false), / to its left, and the speed comes 0\.2000 ± 0\.0020 s late: .* to 0\.2000 s\.$/)
+  const { patch: both } = /** @type {any} */ (remedy(speed, params, true))
+  assert.deepEqual(both, { antennaAhead: 0.523, antennaLeft: 0.031, delaySpeed: 0.2 })
 })
 
 test('a start that was taken from fixes goes below the antenna, and a true one stays', () => {

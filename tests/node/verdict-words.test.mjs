@@ -21,30 +21,6 @@ test('a clock is late or early, by itself or beside what is set', () => {
   assert.match(clock({ now: 0.2, value: 0.58, sigma: 0.09 }, 'delaySpeed'), /speed comes 0\.380 ± 0\.090 s later than/)
 })
 
-test('sensors of one receiver are late together, and the motion the other way would look the same', () => {
-  const size = { now: 0, value: 0.4, sigma: 0.021 }
-  const both = (sizes) => sentence(suspect({ with: 'delayHeading', sizes }), false)
-  assert.equal(
-    both([size, size]),
-    'The positions and the headings come together 0.400 ± 0.021 s late: set both delays to 0.400 s. ' +
-      'That the motion is off by as much the other way would look the same.',
-  )
-  assert.match(sentence(suspect({ with: 'delayHeading', sizes: [size, size] }), true), / both delays to 0\.400 s\.$/)
-  assert.match(both([size, { ...size, now: 0.1, value: 0.5 }]), /set their delays to 0\.400 s and 0\.500 s\./)
-  assert.match(both([size, size, size]), /^The readings come together .* set all their delays to 0\.400 s\./)
-  const turn = suspect({ name: 'delayTurn', sizes: [{ now: 0, value: -0.38, sigma: 0.036 }] })
-  assert.match(sentence(turn, false), /^The turn rate comes 0\.380 ± 0\.036 s early: set the delay to −0\.380 s\.$/)
-  const none = { mended: { rmse: 3, nees: 9, outside: 0.4 } }
-  const other = judgement([suspect({ with: 'delayHeading', sizes: [size, size], ...none })], {
-    against: { rmse: 2, nees: 3, outside: 0.2 },
-    other: true,
-  })
-  assert.match(
-    ranked(other, log),
-    /likeliest is this: The positions and the headings come together .* another fault may hide behind it\./,
-  )
-})
-
 test('beside odometry a delay is told from one row of motion to the next', () => {
   const told = (flat, now = 0) => sentence(suspect({ flat, sizes: [{ now, value: 0.33, sigma: 0.025 }] }), false)
   assert.match(told([0.3, 0.4]), /^The positions come 0\.30 to 0\.40 s late, and the rows of motion tell no more: set/)

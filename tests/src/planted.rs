@@ -3,7 +3,7 @@
 mod fault;
 mod world;
 
-pub use fault::{Case, FAULTS, planted, sound};
+pub use fault::{Case, FAULTS, corrupted, planted, sound};
 pub use world::{ARCS, Log, WORLDS, World};
 
 use estimate::Error;

@@ -123,8 +123,8 @@ export function remedy(suspect, params, truth, log = null) {
     return { press: 'Set the start so', patch: { start } }
   }
   if (fault === 'antenna') {
-    const [antennaAhead, antennaLeft, delayFix] = sizes.map((size) => said(size))
-    const patch = { antennaAhead, antennaLeft, ...(isLate(sizes[2]) ? { delayFix } : {}) }
+    const [antennaAhead, antennaLeft, delay] = sizes.map((size) => said(size))
+    const patch = { antennaAhead, antennaLeft, ...(isLate(sizes[2]) ? { [other ?? 'delayFix']: delay } : {}) }
     const start = truth || !params.start ? {} : { start: startBelow(params, patch) }
     return { press: 'Set its place so', patch: { ...patch, ...start } }
   }

@@ -24,7 +24,7 @@ export interface LogSuspect {
      * their sensor, where that is another one behind the gate.
      */
     name: string | null;
-    /** The parameter that mends it together with that one; of three sensors that are late together the second. */
+    /** What mends it together with that one; of three sensors that are late together the second; beside an antenna. */
     with: string | null;
     /** The sensor that has outliers, else null. */
     sensor: 'fix' | 'heading' | 'range' | 'bearing' | null;
@@ -35,8 +35,8 @@ export interface LogSuspect {
      * parameter; of the start x, y and θ in metres and radians; of a landmark x and y, or by how much its
      * ranges are too long; of outliers their share, and that σ; of
      * odometry the shares by which distances and, where it turns, turns are larger than they are read, and of turn
-     * rates that share; of the antenna how far ahead and to the left it stands, metres, and the delay of the fixes
-     * where that is off as well. Empty where nothing is set.
+     * rates that share; of the antenna how far ahead and to the left it stands, metres, and that delay. Empty where
+     * nothing is set.
      */
     sizes: {
         now: number; value: number; sigma: number | null;

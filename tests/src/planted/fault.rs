@@ -168,13 +168,14 @@ fn fall(log: &Log, settings: impl Fn(f64) -> Settings, from: f64, [first, last]:
 }
 
 /// The log as it is where the number is off in the world and not in the settings.
-fn corrupted(mut log: Log, number: Fitted, by: f64) -> Log {
-    if number == Fitted::DelaySpeed {
+pub fn corrupted(mut log: Log, number: Fitted, by: f64) -> Log {
+    if matches!(number, Fitted::DelaySpeed | Fitted::DelayTurn) {
         split(&mut log);
     }
     for row in &mut log.drive.rows {
         match (&mut row.event, number) {
             (Event::Speed { .. }, Fitted::DelaySpeed)
+            | (Event::TurnRate { .. }, Fitted::DelayTurn)
             | (Event::Position { .. }, Fitted::DelayFix)
             | (Event::Heading { .. }, Fitted::DelayHeading)
             | (Event::Range { .. } | Event::RangeBearing { .. }, Fitted::DelaySighting) => row.time += by,

@@ -1,22 +1,30 @@
 /** An antenna that does not stand where the robot’s pose is: in words, and what it does to a start taken from fixes. */
 
+import { DELAYED } from './kinds.js'
 import { claimed, digits, ownStep, plusMinus } from './sized.js'
 
-/** @typedef {import('estimate-wasm').LogSuspect['sizes'][number]} Size */
+/** @typedef {import('estimate-wasm').LogSuspect} Suspect */
+/** @typedef {Suspect['sizes'][number]} Size */
 
 /** @param {Size} size @param {string} unit @param {[string, string]} words of one above 0, and below */
 const off = (size, unit, [more, less]) =>
   `${plusMinus({ ...size, value: Math.abs(size.value) })} ${unit} ${size.value < 0 ? less : more}`
 
-/** @param {Size[]} sizes ahead and to the left, m, and a delay of the positions, s, where that is off as well */
-export function antennaSentence([ahead, left, together]) {
+/** Where it stands, and what is late as well. @param {Suspect} suspect */
+export function antennaSentence({ with: other, sizes: [ahead, left, together] }) {
   const delay = isLate(together) && together
-  const late = delay && `, and these come ${off({ ...delay, value: delay.value - delay.now }, 's', ['late', 'early'])}`
   return (
     `The antenna whose positions these are stands ${off(ahead, 'm', ['ahead of', 'behind'])} the point about which ` +
-    `the robot turns, and ${off(left, 'm', ['to its left', 'to its right'])}${late || ''}: ` +
+    `the robot turns, and ${off(left, 'm', ['to its left', 'to its right'])}${delay ? late(other, delay) : ''}: ` +
     `set its place so${delay ? `, and the delay to ${digits(delay)} s` : ''}.`
   )
+}
+
+/** @param {string | null} name of the delay @param {Size} delay */
+function late(name, delay) {
+  const [what, verb] = DELAYED[name ?? 'delayFix']
+  const who = verb === 'comes' ? `the ${what}` : 'these'
+  return `, and ${who} ${verb} ${off({ ...delay, value: delay.value - delay.now }, 's', ['late', 'early'])}`
 }
 
 /** Whether a delay was found that is not the motion model’s own. @param {Size} [delay] */

@@ -6,12 +6,12 @@ import { DILUTED, odometrySentence, byNoise, turnScaleSentence } from './driven.
 import { HIDDEN, bridged, cutsFirst } from './gaps.js'
 import { MIRRORED_BEARINGS, mirroredSentence } from './mirrored.js'
 import { NEAR, named } from './named.js'
-import { DELAYED, together } from './kinds.js'
+import { asMean, asMotion, late, lateSentence } from './late.js'
 import { READINGS, alike, noisy, wandering } from './noise.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { blind, hides, sigmaSentence, withoutOutliers } from './sigmas.js'
 import { biased, displaced, exchanged } from './misplaced.js'
-import { besideSet, brief, claimed, digits, isStair, ownStep, plusMinus } from './sized.js'
+import { besideSet, brief, claimed, digits, ownStep, plusMinus } from './sized.js'
 import { startSentence } from './start.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
@@ -63,13 +63,11 @@ function sentences(judgement, truth, log) {
   const [, ...others] = suspects
   const [first, rival] = named(judgement, log)
   const told = (/** @type {Suspect} */ suspect) => {
-    const [size] = suspect.sizes
     // What may be no fault is not to be set.
-    if (suspect.own && suspect.fault === 'clock')
-      return `${late(suspect, size.value - size.now)}. ${inPart(suspect, judgement)}`
+    if (suspect.own && suspect.fault === 'clock') return `${late(suspect)}. ${inPart(suspect, judgement)}`
     const part = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : inPart(suspect, judgement)
     const more = part || (log?.motion === 'velocity' ? asMean(suspect, judgement) : '')
-    return `${sentence(suspect, truth, log)}${more && ` ${more}`}`
+    return [sentence(suspect, truth, log), more, truth ? '' : asMotion(suspect, suspects)].filter(Boolean).join(' ')
   }
   // A larger σ explains any error of the model, and with it this one gains less than the page's own sum shows.
   const gain = beside
@@ -114,7 +112,7 @@ function model(suspect, judgement) {
   const said =
     Math.abs(off) > judgement.ownDelay ? `, which makes the readings no likelier than ${step}` : `: less than ${step}`
   return (
-    `${late(suspect, off)}${said}. ` +
+    `${late(suspect)}${said}. ` +
     'That may be the motion model’s own, which holds what it reads for a step, drives it straight and turns then.'
   )
 }
@@ -141,23 +139,6 @@ function inPart({ fault, own, name, sizes, dilution }, judgement) {
   const part = `${all ? `All of it, less than ${step},` : `Of it ${step},`} may be the motion model’s own`
   if (own && all) return `${part}: it may be no fault.`
   return own ? `${part}, and chance explains what is left nearly as well: it may be no fault.` : `${part}.`
-}
-
-/** Between these parts of a step a delay is about half of it. */
-const HALF = [0.3, 0.7]
-
-/**
- * What a delay of half a step may come from, where the motion model has none of its own.
- * @param {Suspect} suspect @param {LogJudgement} judgement
- */
-function asMean({ fault, name, sizes: [size] }, { period, ownDelay }) {
-  if (fault !== 'clock' || ownDelay > 0 || size.now !== 0) return ''
-  const off = size.value - size.now
-  const late = name === 'delaySpeed' || name === 'delayTurn' ? off : -off
-  const [least, most] = HALF.map((part) => part * period)
-  return least < late && late < most
-    ? `It is about half of a step of the motion, ${brief(period)} s: a table of means over the step before is so late.`
-    : ''
 }
 
 /** What a robot that turns on its way would bring. @param {LogJudgement} judgement */
@@ -208,21 +189,6 @@ function errors({ suspects: [{ mended }], against, ungated, other, pace, ownDela
 /** @param {number} gain */
 const rise = (gain) => (gain < 1000 ? fixed(gain, 1) : count(Math.round(gain)))
 
-/** Who is late, and by how much. @param {Suspect} suspect @param {number} off */
-function late({ name, with: other, flat, sizes: [size, , third] }, off) {
-  const [what, verb] = other ? [together(name, other, third), 'come together'] : DELAYED[name ?? '']
-  const further = off > 0 ? 'later' : 'earlier'
-  const claim = size.now === 0 ? (off > 0 ? 'late' : 'early') : `${further} than set`
-  const stair = isStair(flat, size.sigma) && flat
-  const much = stair
-    ? stair
-        .map((end) => fixed(Math.abs(end - size.now), 2))
-        .sort()
-        .join(' to ')
-    : plusMinus({ ...size, value: Math.abs(off) })
-  return `The ${what} ${verb} ${much} s ${claim}${stair ? ', and the rows of motion tell no more' : ''}`
-}
-
 /** What is wrong, and what to do. @param {Suspect} suspect @param {boolean} truth @param {Log | null} [log] */
 export function sentence(suspect, truth, log = null) {
   const { fault, name, sensor, sizes, landmarks } = suspect
@@ -231,7 +197,7 @@ export function sentence(suspect, truth, log = null) {
   if (fault === 'displaced') return displaced(landmarks ?? [], sizes, log)
   if (fault === 'landmark-bias') return biased(landmarks ?? [], sizes, log)
   if (fault === 'turn-scale') return turnScaleSentence(sizes, log)
-  if (fault === 'antenna') return antennaSentence(sizes)
+  if (fault === 'antenna') return antennaSentence(suspect)
   if (fault === 'mirrored') return mirroredSentence(log)
   if (fault === 'mirrored-bearings') return MIRRORED_BEARINGS
   const [size, second] = sizes
@@ -245,10 +211,7 @@ export function sentence(suspect, truth, log = null) {
     const others = name && second ? ` ${withoutOutliers(name, second)}` : ''
     return `${share} % of the ${rows} are outliers: switch their gate on, which refuses them.${others}`
   }
-  if (fault === 'clock') {
-    const what = second ? `${delays(suspect)}${truth ? '' : MOTION}` : `set the delay to ${digits(size)} s.`
-    return `${late(suspect, off)}: ${what}${size.end ? END : ''}`
-  }
+  if (fault === 'clock') return lateSentence(suspect)
   if (fault === 'sigma') return sigmaSentence(suspect)
   const much = { ...size, value: Math.abs(off) }
   // Half a turn is no end: it goes on at the other side.
@@ -271,20 +234,6 @@ export function sentence(suspect, truth, log = null) {
     )
   if (fault === 'scale') return scaleSentence(suspect)
   return `The ranges read ${offset(size)}: set their offset to ${digits(size)} m.`
-}
-
-const END =
-  ' No longer delay was tried. Where a whole file has another clock, add the seconds to its times, among its columns.'
-const MOTION = ' That the motion is off by as much the other way would look the same.'
-
-/** Sensors that have one clock; or it is the motion's that is off the other way. @param {Suspect} suspect */
-function delays({ sizes }) {
-  const all = sizes.map((size) => digits(size))
-  const same = all.every((value) => value === all[0])
-  const set = same
-    ? `set ${all.length > 2 ? 'all their' : 'both'} delays to ${all[0]} s`
-    : `set their delays to ${all.join(' s and ')} s`
-  return `${set}.`
 }
 
 /** What a wheel of another size does, where there is no gyro. */

@@ -71,7 +71,7 @@ pub(crate) fn explained(round: &Round) -> Option<Round> {
 /// together, it says how few of them do not.
 pub(crate) fn hoist(first: &mut Round, mut round: Round, drive: &Drive, scope: &Scope) -> (bool, Option<Thinning>) {
     let mut found = core::mem::take(&mut round.found);
-    sifted(&mut found, scope.chance[1]);
+    sifted(&mut found, scope);
     let any = found.iter().any(|(suspect, _)| suspect.excess >= CLEAR);
     for (suspect, place) in &mut found {
         let from = if suspect.tried().delays() { scope.from } else { 0 };

@@ -199,13 +199,13 @@ pub(crate) fn own_delay_left(
     let Some(base) = &round.base else { return };
     let both = suspects.iter_mut().zip(places).filter(|(it, _)| it.fault == Fault::Antenna);
     for (suspect, place) in both {
-        let [_, _, late] = suspect.sizes.as_mut_slice() else { continue };
+        let (Some(delay), [_, _, late]) = (suspect.with, suspect.sizes.as_mut_slice()) else { continue };
         // Of a delay that was set it may be known already how much is the model's, or not.
         if late.now != 0.0 || late.value.abs() > own + (2.0 * late.sigma).min(0.3 * own) {
             continue;
         }
         let mut left = *place;
-        left.settings.delays.fix = 0.0;
+        delay.set(&mut left.settings, 0.0);
         let gain = Evidence::new(drive, &left, scope.rows).map_or(0.0, |it| it.gain(base, scope.from));
         if gain < HALF * suspect.gain {
             continue;

@@ -11,7 +11,6 @@ use crate::drive::freed::{Freed, Numbers, ROUNDS, ROUNDS_OF_A_FACTOR, Search};
 use crate::drive::outliers::{sigma_of, tails};
 use crate::drive::pace::Paced;
 use crate::drive::row::Drive;
-use crate::drive::settings::Settings;
 use crate::drive::suspect::{Size, Standing, Suspect};
 use crate::drive::tried::Tried;
 use crate::error::Error;
@@ -165,9 +164,9 @@ impl Round {
                     let now = stands.map_or(0.0, |landmark| if i == 0 { landmark.x } else { landmark.y });
                     Size { now, value: now + at, sigma, end }
                 }
-                (None, Tried::Antenna(_)) => {
-                    let Settings { antenna: [ahead, left], delays, .. } = self.place.settings;
-                    let now = [ahead, left, delays.fix][i];
+                (None, Tried::Antenna(delay)) => {
+                    let arm = self.place.settings.antenna.get(i).copied();
+                    let now = arm.or(delay.map(|delay| delay.get(&self.place.settings))).unwrap_or(0.0);
                     Size { now, value: now + at, sigma, end }
                 }
                 (None, Tried::Start) => Size { now: begin[i], value: begin[i] + at, sigma, end },
@@ -195,7 +194,7 @@ impl Round {
         let mut suspect = Suspect {
             fault: tried.fault(),
             number: which.first().copied().or(behind.map(|(number, _)| number)),
-            with: which.get(1).copied(),
+            with: if let Tried::Antenna(delay) = tried { delay } else { which.get(1).copied() },
             sensor: if let Tried::Outliers(sensor) = tried { Some(sensor) } else { None },
             landmarks: landmarks.into_iter().map(id).collect(),
             sizes,

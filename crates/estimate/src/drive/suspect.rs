@@ -39,7 +39,8 @@ pub struct Suspect {
     /// The setting that mends it; `None` of the start and of what no setting mends. Of outliers, which a gate refuses,
     /// the σ of their sensor, where that is another one behind the gate.
     pub number: Option<Fitted>,
-    /// The setting that mends it together with that one: the other of the ranges' scale and offset, or a second delay.
+    /// The setting that mends it together with that one: the other of the ranges' scale and offset, or a second delay;
+    /// of an antenna the delay that is off as well.
     pub with: Option<Fitted>,
     /// The sensor whose readings have outliers.
     pub sensor: Option<Sensor>,
@@ -49,7 +50,7 @@ pub struct Suspect {
     /// are too long; of outliers their share, and σ where that is another one behind the gate; of
     /// odometry the shares by which distances and, where it turns, turns are larger than they are read; of turn rates
     /// that share; of an antenna how far ahead of the robot's centre and how far to its left it stands, m, and
-    /// the delay of the fixes where that is off as well, s.
+    /// the delay where one is off as well, s.
     pub sizes: Vec<Size>,
     /// The least of the standard deviations that readings bring, their median and the greatest: of a factor on them.
     pub claims: Option<[f64; 3]>,
@@ -78,7 +79,7 @@ impl Suspect {
             (Fault::Mirrored, ..) => Tried::Mirrored,
             (Fault::MirroredBearings, ..) => Tried::MirroredBearings,
             (Fault::TurnScale, ..) => Tried::TurnScale,
-            (Fault::Antenna, ..) => Tried::Antenna(self.sizes.len()),
+            (Fault::Antenna, ..) => Tried::Antenna(self.with),
             (Fault::Exchanged, ..) => Tried::Exchanged,
             (Fault::Displaced, ..) => Tried::Displaced,
             (Fault::LandmarkBias, ..) => Tried::LandmarkBias,

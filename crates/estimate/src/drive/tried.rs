@@ -23,8 +23,8 @@ pub(crate) enum Tried {
     Odometry(usize),
     /// The turn rates of motion that is held.
     TurnScale,
-    /// Where on the robot the antenna stands whose position fixes are, alone or with their delay: how many numbers.
-    Antenna(usize),
+    /// Where on the robot the antenna stands whose position fixes are, alone or with a delay: theirs or the motion's.
+    Antenna(Option<Fitted>),
     Mirrored,
     MirroredBearings,
     Exchanged,
@@ -70,6 +70,7 @@ impl Tried {
         let landmarks = drive.landmarks.len() > 1 && s.sightings && (has.range || has.bearing);
         let read = READINGS.map(|number| numbers.contains(&number));
         let turning = drive.rows.iter().any(|row| turns(&row.event));
+        let mounted = turning && has.fix && s.fixes;
         let placed = has.fix && s.fixes || s.sightings && (has.range || has.bearing);
         let others = [
             (Self::Odometry(1 + usize::from(turning)), placed && drive.motion.is_odometry()),
@@ -77,8 +78,10 @@ impl Tried {
             (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
             (Self::TurnScale, turning && !drive.motion.is_odometry()),
             // Straight on it looks like a delay.
-            (Self::Antenna(2), turning && has.fix && s.fixes),
-            (Self::Antenna(3), turning && has.fix && s.fixes),
+            (Self::Antenna(None), mounted),
+            (Self::Antenna(Some(Fitted::DelayFix)), mounted),
+            (Self::Antenna(Some(Fitted::DelaySpeed)), mounted && numbers.contains(&Fitted::DelaySpeed)),
+            (Self::Antenna(Some(Fitted::DelayTurn)), mounted && numbers.contains(&Fitted::DelayTurn)),
             (Self::Mirrored, turning),
             (Self::MirroredBearings, s.sightings && has.bearing),
             (Self::Exchanged, landmarks),
@@ -120,7 +123,7 @@ impl Tried {
 
     /// Whether readings come at other times: they are in another order, and not all replays have the same ones.
     pub fn delays(self) -> bool {
-        self.fault() == Fault::Clock || self == Self::Antenna(3)
+        self.fault() == Fault::Clock || matches!(self, Self::Antenna(Some(_)))
     }
 
     /// How many numbers are freed.
@@ -128,7 +131,8 @@ impl Tried {
         match self {
             Self::Start => 3,
             Self::Ruler | Self::Displaced => 2,
-            Self::Odometry(count) | Self::Antenna(count) => count,
+            Self::Odometry(count) => count,
+            Self::Antenna(delay) => 2 + usize::from(delay.is_some()),
             Self::Number(_) | Self::Outliers(_) | Self::Together(_) | Self::TurnScale | Self::LandmarkBias => 1,
             Self::Mirrored | Self::MirroredBearings | Self::Exchanged => 0,
         }
@@ -149,8 +153,7 @@ impl Tried {
         match self {
             Self::Start => return alloc::vec![0.0; 3],
             // By how much it stands elsewhere, and is later, than is set.
-            Self::Antenna(count) => return alloc::vec![0.0; count],
-            Self::Odometry(count) => return alloc::vec![0.0; count],
+            Self::Antenna(_) | Self::Odometry(_) => return alloc::vec![0.0; self.freedom()],
             // By how much all of them are later than they are set.
             Self::Together(_) | Self::TurnScale => return alloc::vec![0.0],
             _ => {}
@@ -167,9 +170,12 @@ impl Tried {
                 *place.settings.gate.of_mut(sensor) = Some(crate::drive::evidence::OUTLIER_GATE);
             }
             (Self::TurnScale, &[share]) => place.otherwise.driven[1] = share,
-            (Self::Antenna(_), &[ahead, left, ref later @ ..]) => {
+            (Self::Antenna(delay), &[ahead, left, ref later @ ..]) => {
                 place.otherwise.antenna = [ahead, left];
-                place.settings.delays.fix += later.first().unwrap_or(&0.0);
+                if let (Some(delay), Some(later)) = (delay, later.first()) {
+                    let now = delay.get(&place.settings);
+                    delay.set(&mut place.settings, now + later);
+                }
             }
             (Self::Mirrored, _) => place.otherwise.mirrored = true,
             (Self::MirroredBearings, _) => place.otherwise.clockwise = true,
@@ -194,8 +200,8 @@ impl Tried {
             return alloc::vec![SHARE; self.freedom()];
         }
         let late = DELAY.max(PERIODS * period);
-        if let Self::Antenna(count) = self {
-            return [ARM, ARM, late][..count].to_vec();
+        if let Self::Antenna(_) = self {
+            return [ARM, ARM, late][..self.freedom()].to_vec();
         }
         let step = |number: &Fitted| if number.is_delay() { late } else { number.fine() };
         self.numbers().iter().take(self.freedom()).map(step).collect()
@@ -218,8 +224,8 @@ impl Tried {
         }
         match self {
             Self::Together(_) => return alloc::vec![[-most, most]],
-            Self::Antenna(count) => {
-                return [[-MAX_ARM, MAX_ARM], [-MAX_ARM, MAX_ARM], [-most, most]][..count].to_vec();
+            Self::Antenna(_) => {
+                return [[-MAX_ARM, MAX_ARM], [-MAX_ARM, MAX_ARM], [-most, most]][..self.freedom()].to_vec();
             }
             Self::Odometry(_) | Self::TurnScale => return alloc::vec![SHARES; self.freedom()],
             _ => {}

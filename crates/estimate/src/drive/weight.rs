@@ -3,6 +3,7 @@
 use crate::drive::evidence::Trial;
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
+use crate::drive::round::Scope;
 use crate::drive::suspect::{Size, Standing, Suspect};
 use alloc::vec::Vec;
 
@@ -38,7 +39,8 @@ impl Suspect {
     }
 }
 
-/// An arm and a delay together gain so many times as much as a clock alone, where that gains more than the arm alone.
+/// An arm and a delay together gain so many times as much as a clock alone, where that gains more than the arm alone
+/// and what is read is held until the next row.
 const FAR_MORE: f64 = 1.5;
 /// A small arm is at most so many times as long as the way of a step, beside what is uncertain of it.
 const SMALL: f64 = 1.3;
@@ -68,17 +70,21 @@ pub(crate) fn ranked(mut left: Vec<(Suspect, Trial)>) -> Vec<(Suspect, Trial)> {
 
 /// Leaves of the ranges' scale and offset, and of an antenna's place and its delay, both together where neither
 /// explains as much by itself, to within what a number gains by chance; else those by themselves.
-pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, chance: f64) {
+pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, scope: &Scope) {
+    let chance = scope.chance[1];
     let pair = |it: &Suspect| it.with.is_some() && it.fault == Fault::Scale;
     let alone = |it: &Suspect| it.with.is_none() && matches!(it.number, Some(Fitted::Scale | Fitted::Offset));
     together(found, chance, pair, alone);
-    let late = |it: &Suspect| it.fault == Fault::Antenna && it.sizes.len() > 2;
-    let placed = |it: &Suspect| it.fault == Fault::Antenna && it.sizes.len() == 2;
-    let delayed = |it: &Suspect| it.number == Some(Fitted::DelayFix) && it.with.is_none();
+    let late = |it: &Suspect| it.fault == Fault::Antenna && it.with.is_some();
+    let placed = |it: &Suspect| it.fault == Fault::Antenna && it.with.is_none();
     // What a delay explains nearly as well by itself is one, and so is an arm no longer than what is held explains.
     let (arm, clock) = (most(found, &placed), most(found, &|it| it.fault == Fault::Clock));
-    let much = |it: &Suspect| it.excess > 0.0 && (arm >= clock || it.gain > FAR_MORE * clock);
+    let (even, likeliest) = (scope.arm == 0.0, most(found, &late));
+    let beyond = |gain: f64| arm >= clock || gain > if even { clock + chance } else { FAR_MORE * clock };
+    let much = |it: &Suspect| it.excess > 0.0 && it.gain == likeliest && beyond(it.gain);
     found.retain(|(it, _)| !late(it) || much(it));
+    let delay = found.iter().find(|(it, _)| late(it)).and_then(|(it, _)| it.with);
+    let delayed = |it: &Suspect| it.number == delay.or(Some(Fitted::DelayFix)) && it.with.is_none();
     together(found, chance, late, |it| placed(it) || delayed(it));
 }
 
