@@ -118,3 +118,28 @@ fn an_antenna_that_stands_elsewhere_is_found_with_a_speed_that_is_late() {
         }
     }
 }
+
+/// Readings that are worse than they claim bend what is found by them. The arm is named with the size that it has
+/// beside the σ that they have, and that σ next.
+#[test]
+fn an_antenna_is_found_by_fixes_that_claim_too_much() {
+    for (n, at) in [[4.0, 0.0], [-3.0, 1.0]].into_iter().enumerate() {
+        let mut log = mounted("car", true, 60 + n as u64, at);
+        let sigma = log.settings.sigma_fix;
+        for row in &mut log.drive.rows {
+            if let Event::Position { sigma: claimed, .. } = &mut row.event {
+                *claimed = Some(0.25 * sigma);
+            }
+        }
+        let first = judged(&log).expect("a verdict").suspects.remove(0);
+        assert_eq!((first.fault, first.with), (Fault::Antenna, None), "{at:?}: {first:?}");
+        for (size, at) in first.sizes.iter().zip(at) {
+            assert!((size.value - at).abs() < 3.0 * size.sigma, "{at}: {size:?}");
+        }
+        log.settings.antenna = [first.sizes[0].value, first.sizes[1].value];
+        let next = judged(&log).expect("a verdict").suspects.remove(0);
+        assert_eq!((next.fault, next.number), (Fault::Sigma, Some(Fitted::FixSigmaScale)), "{at:?}: {next:?}");
+        let factor = next.sizes[0].value;
+        assert!((3.0..5.0).contains(&factor), "{at:?}: {factor}");
+    }
+}

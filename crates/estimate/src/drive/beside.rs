@@ -36,9 +36,43 @@ pub(crate) fn by_itself(round: &mut Round, drive: &Drive, scope: &Scope) -> Resu
     let both = alone.gain + anew.found.first().map_or(0.0, |(it, _)| it.gain);
     let much = both - sigma.gain - (alone.gain - alone.excess) >= CLEAR;
     if much {
+        if let Some(claimed) = beside_claims(round, drive, scope, (at, both))? {
+            round.found[at] = claimed;
+        }
         round.found[..=at].rotate_right(1);
     }
     Ok(much)
+}
+
+/// Readings that are worse than they claim bend what is found by them: an arm takes in a delay that is none. The fault
+/// as it is beside the σ that they have, where the two explain more than the fault and a σ do otherwise.
+fn beside_claims(
+    round: &Round,
+    drive: &Drive,
+    scope: &Scope,
+    (at, both): (usize, f64),
+) -> Result<Option<(Suspect, Trial)>, Error> {
+    let (Some((alone, _)), Some(base)) = (round.found.get(at), &round.base) else { return Ok(None) };
+    let larger = |it: &Suspect| it.sizes.iter().all(|size| size.value > size.now) && it.excess > MOST * alone.excess;
+    let claim = |it: &Suspect| it.number.filter(|number| it.fault == Fault::Sigma && number.is_of_reading());
+    let claims = round.found.iter().filter(|(it, _)| larger(it));
+    let Some((claim, (sigma, wide))) = claims.filter_map(|it| Some((claim(&it.0)?, it))).next() else {
+        return Ok(None);
+    };
+    let stands_in = |fault: Fault| matches!(fault, Fault::Antenna | Fault::Clock);
+    let alike = |it: &&Tried| **it == alone.tried() || stands_in(it.fault()) && stands_in(alone.fault);
+    let mut anew = Round::new(*wide, round.tried.iter().filter(alike).copied().collect());
+    while anew.step(drive, scope)? {}
+    sifted(drive, &mut anew.found, scope);
+    let Some((mut fault, mut place)) = ranked(anew.found).into_iter().next() else { return Ok(None) };
+    if fault.excess < CLEAR || sigma.gain + fault.gain <= both {
+        return Ok(None);
+    }
+    claim.set(&mut place.settings, claim.get(&round.place.settings));
+    let from = if fault.tried().delays() { scope.from } else { 0 };
+    let gain = Evidence::new(drive, &place, scope.rows)?.gain(base, from);
+    (fault.excess, fault.gain) = (gain - (fault.gain - fault.excess), gain);
+    Ok((fault.excess >= CLEAR).then_some((fault, place)))
 }
 
 /// A larger σ, where that explains most in a round, and the faults that are left beside it, each with its place among
@@ -47,13 +81,14 @@ fn beside(round: &Round) -> Option<(&Suspect, Vec<(usize, &Suspect)>)> {
     let (first, _) = round.found.first()?;
     let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
     let of_fixes = first.number == Some(Fitted::FixSigmaScale);
-    // An arm and a delay look alike beside a σ that allows for both: which it is, they tell by themselves. So do the
-    // delays of speed and turn rate where one sensor alone is read.
+    let of_reading = first.number.is_some_and(Fitted::is_of_reading);
+    // An arm and a delay look alike beside a σ of the motion that allows for both: which it is, they tell by
+    // themselves. So do the delays of speed and turn rate where one sensor alone is read.
     let clock = most(&round.found, &|it| it.fault == Fault::Clock);
     let several = round.tried.iter().any(|tried| matches!(tried, Tried::Together(_)));
     let other = |it: &Suspect| match it.number {
         Some(Fitted::DelayTurn) => !several,
-        _ => it.fault == Fault::Antenna && it.gain < clock,
+        _ => it.fault == Fault::Antenna && it.gain < clock && !of_reading,
     };
     let kept = |it: &Suspect| it.fault != Fault::Sigma && !(of_fixes && it.fault == Fault::Start) && !other(it);
     let all = round.found.iter().map(|(suspect, _)| suspect).enumerate();
@@ -64,14 +99,21 @@ fn beside(round: &Round) -> Option<(&Suspect, Vec<(usize, &Suspect)>)> {
 /// The faults that are to be tried anew beside a larger σ.
 pub(crate) fn explained(round: &Round) -> Option<Round> {
     let (_, others) = beside(round)?;
-    Some(Round::new(round.found.first()?.1, others.iter().map(|(_, suspect)| suspect.tried()).collect()))
+    let mut tried: Vec<Tried> = others.iter().map(|(_, suspect)| suspect.tried()).collect();
+    // Of an arm with a delay one may be enough there.
+    for both in tried.clone() {
+        let Tried::Antenna(Some(delay)) = both else { continue };
+        let alone = [Tried::Antenna(None), Tried::Number(delay)].into_iter().filter(|it| !tried.contains(it));
+        tried.extend(alone.collect::<Vec<_>>());
+    }
+    Some(Round::new(round.found.first()?.1, tried))
 }
 
 /// Puts what gains much beside the larger σ before it; whether there was any. Where there is none because readings go
 /// together, it says how few of them do not.
 pub(crate) fn hoist(first: &mut Round, mut round: Round, drive: &Drive, scope: &Scope) -> (bool, Option<Thinning>) {
     let mut found = core::mem::take(&mut round.found);
-    sifted(&mut found, scope);
+    sifted(drive, &mut found, scope);
     let any = found.iter().any(|(suspect, _)| suspect.excess >= CLEAR);
     for (suspect, place) in &mut found {
         let from = if suspect.tried().delays() { scope.from } else { 0 };
@@ -84,9 +126,15 @@ pub(crate) fn hoist(first: &mut Round, mut round: Round, drive: &Drive, scope: &
         let base = round.base.as_ref().filter(|_| any);
         return (false, base.and_then(|base| thinning(drive, &round.place, base, scope.rows)));
     }
+    let claim = first.found.first().and_then(|(it, _)| it.number).filter(|number| number.is_of_reading());
     // How large it is, the settings as they are tell: the log-likelihood that a reader watches is highest
-    // there, and a σ that allows for all errors moves that place. How well it is known, the larger σ tells.
+    // there, and a σ that allows for all errors moves that place. How well it is known, the larger σ tells; and how
+    // large it is, too, where that σ is of readings that claim too much.
     for (suspect, place) in &mut found {
+        if let Some(claim) = claim {
+            claim.set(&mut place.settings, claim.get(&first.place.settings));
+            continue;
+        }
         let Some((alone, at)) = first.found.iter().find(|(it, _)| it.tried() == suspect.tried()) else {
             continue;
         };

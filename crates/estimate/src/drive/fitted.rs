@@ -175,6 +175,11 @@ impl Fitted {
             && !matches!(self, Self::SpeedScale | Self::TurnBias)
     }
 
+    /// Whether it is how far readings may be off, and not the motion.
+    pub(crate) fn is_of_reading(self) -> bool {
+        self.is_sigma() && !matches!(self, Self::SigmaDistance | Self::SigmaTurn)
+    }
+
     /// Whose readings bring the standard deviations that it is a factor on.
     pub(crate) fn claimed_by(self) -> Option<Sensor> {
         match self {

@@ -12,6 +12,7 @@ use crate::drive::row::Drive;
 use crate::drive::sensor::Sensor;
 use crate::drive::settings::Settings;
 use crate::drive::suspect::Suspect;
+use crate::drive::tried::Tried;
 use alloc::vec::Vec;
 
 /// The times between readings that are tried, s.
@@ -21,7 +22,8 @@ const APART: f64 = 0.5;
 const FEWEST: usize = 12;
 /// A σ of the fixes that fits is less than this part of what they claim, where their errors may wander instead.
 const LESS: f64 = 0.8;
-/// The part of the motion's σ with which a filter holds to its motion.
+/// The part of the motion's σ that is enough where fixes err apart; and that with which a filter holds to its motion.
+const CALM: f64 = 0.5;
 const STILL: f64 = 0.1;
 
 /// How few of a sensor's readings may be taken, so that their errors do not go together.
@@ -100,6 +102,31 @@ pub(crate) fn without_smaller(settings: &Settings, found: &mut Vec<(Suspect, Tri
     }
 }
 
+/// Whether fixes with the smaller σ that is likeliest err apart: beside that σ, and the faults that explain most then,
+/// the readings are likelier with less noise of the motion. What follows errors that wander needs more.
+fn err_apart(drive: &Drive, scope: &Scope, (suspects, places): (&[Suspect], &[Trial])) -> bool {
+    let Some(mut place) = places.first().copied() else { return false };
+    let of = |place: &Trial| Evidence::new(drive, place, scope.rows).ok();
+    let calm = |place: &Trial| {
+        let mut calm = *place;
+        calm.settings.sigma_distance *= CALM;
+        calm.settings.sigma_turn *= CALM;
+        of(&calm).zip(of(place)).is_some_and(|(calm, usual)| calm.gain(&usual, 0) > 0.0)
+    };
+    let faults = suspects.iter().filter(|it| it.fault != Fault::Sigma && it.excess > 0.0);
+    let mut tried: Vec<Tried> = faults.map(Suspect::tried).collect();
+    // One fault hides another: each time the likeliest is mended, and the others are freed anew.
+    while !calm(&place) {
+        let mut beside = Round::new(place, tried);
+        while matches!(beside.step(drive, scope), Ok(true)) {}
+        let Round { found, .. } = beside;
+        let most = found.iter().max_by(|a, b| a.0.excess.total_cmp(&b.0.excess)).filter(|it| it.0.excess > 0.0);
+        let Some((suspect, mended)) = most else { return false };
+        (place, tried) = (*mended, found.iter().map(|it| it.0.tried()).filter(|it| *it != suspect.tried()).collect());
+    }
+    true
+}
+
 /// How far apart fixes are to be taken where a smaller σ of theirs is likeliest, or a larger one of the motion beside
 /// which they still go together: that may be how little their errors change from one to the next. `None` where a fault
 /// explains why they go together.
@@ -119,7 +146,7 @@ pub(crate) fn wandering(
         return None;
     }
     let mut faults = suspects.iter().zip(places).filter(|(it, _)| it.fault != Fault::Sigma && it.excess > 0.0);
-    if faults.any(|(_, place)| !alike(place)) {
+    if faults.any(|(_, place)| !alike(place)) || smaller && err_apart(drive, scope, (suspects, places)) {
         return None;
     }
     // A filter that holds to its motion follows no error that wanders.

@@ -148,7 +148,7 @@ impl Verdict {
         }
         if self.stage == Stage::First {
             let mut found = core::mem::take(&mut self.first.found);
-            sifted(&mut found, &self.scope);
+            sifted(drive, &mut found, &self.scope);
             without_smaller(&self.first.place.settings, &mut found);
             self.first.found = ranked(found);
             if self.trust_gates() || self.turn_on_the_way(drive) || self.set_apart(drive) {

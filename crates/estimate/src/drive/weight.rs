@@ -1,10 +1,12 @@
 //! How evidence is weighed: what counts of a suspect's gain, which suspect goes before which, and how sure each is.
 
-use crate::drive::evidence::Trial;
+use crate::drive::evidence::{Evidence, Trial};
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
 use crate::drive::round::Scope;
+use crate::drive::row::Drive;
 use crate::drive::suspect::{Size, Standing, Suspect};
+use crate::drive::thinning::less;
 use alloc::vec::Vec;
 
 /// Faults whose gains differ by less than this tie, and the earlier kind is named first.
@@ -70,7 +72,7 @@ pub(crate) fn ranked(mut left: Vec<(Suspect, Trial)>) -> Vec<(Suspect, Trial)> {
 
 /// Leaves of the ranges' scale and offset, and of an antenna's place and its delay, both together where neither
 /// explains as much by itself, to within what a number gains by chance; else those by themselves.
-pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, scope: &Scope) {
+pub(crate) fn sifted(drive: &Drive, found: &mut Vec<(Suspect, Trial)>, scope: &Scope) {
     let chance = scope.chance[1];
     let pair = |it: &Suspect| it.with.is_some() && it.fault == Fault::Scale;
     let alone = |it: &Suspect| it.with.is_none() && matches!(it.number, Some(Fitted::Scale | Fitted::Offset));
@@ -79,13 +81,32 @@ pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, scope: &Scope) {
     let placed = |it: &Suspect| it.fault == Fault::Antenna && it.with.is_none();
     // What a delay explains nearly as well by itself is one, and so is an arm no longer than what is held explains.
     let (arm, clock) = (most(found, &placed), most(found, &|it| it.fault == Fault::Clock));
-    let (even, likeliest) = (scope.arm == 0.0, most(found, &late));
-    let beyond = |gain: f64| arm >= clock || gain > if even { clock + chance } else { FAR_MORE * clock };
-    let much = |it: &Suspect| it.excess > 0.0 && it.gain == likeliest && beyond(it.gain);
+    let likeliest = most(found, &late);
+    let beyond = arm >= clock
+        || match scope.arm == 0.0 {
+            true => likeliest > clock && beyond_clock(drive, found, scope),
+            false => likeliest > FAR_MORE * clock,
+        };
+    let much = |it: &Suspect| {
+        let clear = it.sizes.last().is_some_and(|delay| delay.is_clear(false));
+        beyond && clear && it.excess > 0.0 && it.gain == likeliest
+    };
     found.retain(|(it, _)| !late(it) || much(it));
     let delay = found.iter().find(|(it, _)| late(it)).and_then(|(it, _)| it.with);
     let delayed = |it: &Suspect| it.number == delay.or(Some(Fitted::DelayFix)) && it.with.is_none();
     together(found, chance, late, |it| placed(it) || delayed(it));
+}
+
+/// Whether the likeliest arm with a delay makes the readings likelier than the likeliest clock alone, by more than
+/// chance. Fixes whose errors go together count as fewer.
+fn beyond_clock(drive: &Drive, found: &[(Suspect, Trial)], scope: &Scope) -> bool {
+    let likeliest = |fault: Fault| {
+        let its = found.iter().filter(|(it, _)| it.fault == fault);
+        let place = its.max_by(|a, b| a.0.gain.total_cmp(&b.0.gain)).map(|(_, place)| place)?;
+        Evidence::new(drive, place, scope.rows).ok()
+    };
+    let Some((both, clock)) = likeliest(Fault::Antenna).zip(likeliest(Fault::Clock)) else { return false };
+    both.gain(&clock, scope.from) - less(&both, &clock, scope.from) > scope.chance[1]
 }
 
 /// The most that any of such suspects gains.
