@@ -3,7 +3,8 @@
 use crate::file::File;
 use crate::guess::{IS_TRUE, moving};
 use crate::holds::{Again, Holds};
-use crate::role::Role;
+use crate::names::{Name, candidates};
+use crate::role::{Quantity, Role};
 use crate::source::Question;
 use crate::true_names::{has_coordinates, has_place, has_truth, is_received};
 use crate::wide;
@@ -64,11 +65,28 @@ fn wanted(files: &[File], Again { of, holds }: Again) -> Option<Role> {
             let moves = files.iter().enumerate().any(|(at, file)| beside(at, file) && !is_motion_of(file, of));
             moving(names, file.name()).filter(|_| !moves)
         }
+        // Wheels beside a gyro: it says the turn and they say the speed, where nothing else does.
+        Holds::Motion if role == Role::Sensors && wheels_alone(names, file.name()) => {
+            let beside = |at: usize, file: &File| at != of && !is_motion_of(file, of) && may_drive(file);
+            let driven = files.iter().enumerate().any(|(at, file)| beside(at, file));
+            (!driven).then_some(Role::Encoders)
+        }
         Holds::Ranges if !ranges && (driven || matches!(role, Role::Velocities | Role::Sensors | Role::Truth)) => {
             (wide::group(names).is_some() || !file.source.called.is_empty()).then_some(Role::Ranges)
         }
         _ => None,
     }
+}
+
+/// Whether a table has the speeds or counts of two wheels and no speed.
+fn wheels_alone(names: &[Name], file: &str) -> bool {
+    candidates("v", Quantity::Speed, names).is_empty() && moving(names, file) == Some(Role::Encoders)
+}
+
+/// Whether a file says how fast the robot drove, or may do so: more than a gyro does.
+fn may_drive(file: &File) -> bool {
+    let gyro = file.role() == Role::Sensors && candidates("v", Quantity::Speed, &file.source.names).is_empty();
+    file.may_move() && !gyro
 }
 
 fn is_motion_of(file: &File, of: usize) -> bool {

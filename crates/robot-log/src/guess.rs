@@ -151,6 +151,8 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if read && (v || omega) => certain(Role::Sensors),
         () if sightings && !said.contains(&Role::Velocities) => certain(Role::Sightings),
         () if wide::group(names).is_some() => certain(Role::Ranges),
+        // A gyro beside the wheels: it is a sensor, and they are read once more.
+        () if encoders && !place && omega && !v => certain(Role::Sensors),
         () if encoders => certain(Role::Encoders),
         () if read => certain(Role::Sensors),
         () if v && omega && !place && has_blanks(text, table, names) => certain(Role::Sensors),
@@ -190,8 +192,25 @@ fn has_blanks(text: &str, table: &Table, names: &[Name]) -> bool {
 /// Whether there are the counts or speeds of two wheels.
 fn encoders(names: &[Name], file: &str) -> bool {
     let wheel = [
-        "encoder", "enc", "ticks", "tick", "wheel", "count", "counts", "rad", "impulse", "rpm", "v", "vel", "velocity",
+        "encoder",
+        "enc",
+        "ticks",
+        "tick",
+        "wheel",
+        "count",
+        "counts",
+        "rad",
+        "impulse",
+        "rpm",
+        "v",
+        "vel",
+        "velocity",
         "speed",
+        "omega",
+        "vitesse",
+        "geschwindigkeit",
+        "velocidad",
+        "velocita",
     ];
     let of_wheels = ["encoder", "wheel", "odom"].iter().any(|word| file.contains(word));
     let side = |value| candidates(value, Quantity::Wheel, names);

@@ -77,6 +77,9 @@ pub(crate) fn candidates(value: &str, quantity: Quantity, names: &[Name]) -> Vec
         .filter(|i| value.starts_with("sigma") || !is_acceleration(&names[*i]))
         .filter(|i| value.starts_with("sigma") || !is_spread(&names[*i]))
         .collect();
+    // What a wheel does is neither the robot's speed nor its turn rate.
+    let wheels = if matches!(value, "v" | "omega") { of_wheels(names) } else { Vec::new() };
+    let fits: Vec<usize> = fits.into_iter().filter(|i| !wheels.contains(i)).collect();
     for way in ways(value) {
         let mut found: Vec<usize> = fits.iter().copied().filter(|i| follows(way, &names[*i], quantity)).collect();
         // What says no more than it must fits best.
@@ -88,6 +91,12 @@ pub(crate) fn candidates(value: &str, quantity: Quantity, names: &[Name]) -> Vec
         }
     }
     Vec::new()
+}
+
+/// The columns of the left and the right one of two wheels, where there are both.
+fn of_wheels(names: &[Name]) -> Vec<usize> {
+    let [left, right] = ["left", "right"].map(|side| candidates(side, Quantity::Wheel, names));
+    if left.is_empty() || right.is_empty() { Vec::new() } else { [left, right].concat() }
 }
 
 fn longer(a: &Name, b: &Name, quantity: Quantity) -> Ordering {

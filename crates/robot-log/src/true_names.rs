@@ -2,7 +2,42 @@
 
 use crate::names::{Name, candidates};
 use crate::role::{Quantity, Role};
-use crate::vocabulary::MADE;
+
+/// Words of what a filter or a planner has made of a pose, which no sensor has read.
+const MADE: [&str; 32] = [
+    "est",
+    "estimate",
+    "estimated",
+    "ekf",
+    "ukf",
+    "kf",
+    "filter",
+    "filtered",
+    "fused",
+    "slam",
+    "amcl",
+    "odom",
+    "odometry",
+    "dr",
+    "reckoned",
+    "ref",
+    "reference",
+    "desired",
+    "des",
+    "cmd",
+    "command",
+    "target",
+    "setpoint",
+    "goal",
+    "pred",
+    "predicted",
+    "hat",
+    "smoothed",
+    "prior",
+    "posterior",
+    "planned",
+    "plan",
+];
 
 /// Whether a column is called true. True north, and the course from there, are none.
 pub(crate) fn is_true(name: &Name) -> bool {

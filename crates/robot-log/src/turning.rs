@@ -19,11 +19,19 @@ pub(crate) fn drives(file: &File) -> bool {
 
 /// What is said of the turns that are left out.
 pub(crate) fn note(files: &[File]) -> Option<String> {
-    let gyro = files[gyro(files)?].name();
+    let at = gyro(files)?;
+    let (gyro, has) = (files[at].name(), |value: &str| files[at].source.column(value).is_some());
+    // What else the file says would be left out with it.
+    let more = ["x", "latitude", "heading"].into_iter().any(has) || files.iter().any(|it| it.again() == Some(at));
+    let leave = if more {
+        format!("choose no column (\u{2013}) for the turn rate of {gyro}")
+    } else {
+        format!("leave {gyro} out")
+    };
     let others: Vec<&str> = files.iter().filter(|file| drives(file)).map(File::name).collect();
     Some(format!(
         "The turn rate is that of {gyro} alone; of {} the speed is taken and the turn is not. To turn by the wheels, \
-         leave {gyro} out.",
+         {leave}.",
         others.join(" and ")
     ))
 }

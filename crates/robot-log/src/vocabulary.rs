@@ -93,12 +93,14 @@ const WAYS: [(&str, &str); 21] = [
     (
         "x",
         "=x,=tx,position x,p x,pos x,pose x,robot x,true x,truth x,gt x,translation x,utm x,gps x,gnss x,fix x,rtk x,\
-         mocap x,vicon x,local x,x position,east,easting,ost,rechtswert,est,este,gps e,gnss e,fix e,rtk e,utm e,enu e",
+         mocap x,vicon x,local x,nav x,laser x,lidar x,uwb x,x position,\
+         east,easting,ost,rechtswert,est,este,gps e,gnss e,fix e,rtk e,utm e,enu e",
     ),
     (
         "y",
         "=y,=ty,position y,p y,pos y,pose y,robot y,true y,truth y,gt y,translation y,utm y,gps y,gnss y,fix y,rtk y,\
-         mocap y,vicon y,local y,y position,north,northing,nord,hochwert,norte,gps n,gnss n,fix n,rtk n,utm n,enu n",
+         mocap y,vicon y,local y,nav y,laser y,lidar y,uwb y,y position,\
+         north,northing,nord,hochwert,norte,gps n,gnss n,fix n,rtk n,utm n,enu n",
     ),
     (
         "heading",
@@ -110,8 +112,8 @@ const WAYS: [(&str, &str); 21] = [
     ("longitude", "=lon,=lng,=longitude,longitude,lon,lng,long,lange,laenge,langengrad,longitud,longitudine"),
     (
         "sigma",
-        "horizontal accuracy,position accuracy,position sigma,position std,gps sigma,gnss sigma,fix sigma,gps std,\
-         gnss std,=sigma,=σ,=accuracy,=std,=hacc,=h acc,=eph,\
+        "horizontal accuracy,position accuracy,position sigma,position std,gps sigma,gnss sigma,fix sigma,rtk sigma,\
+         gps std,gnss std,rtk std,=sigma,=σ,=accuracy,=std,=hacc,=h acc,=eph,\
          =genauigkeit,=standardabweichung,=precision,=precisione,=desviacion,=ecart type,sigma position,sigma pos,\
          accuracy,genauigkeit,precision,precisione,standardabweichung,position covariance 0,position variance,\
          =variance,=var,=variance x,=var x,=cov x,=cov xx,=covariance xx,varianz",
@@ -121,8 +123,16 @@ const WAYS: [(&str, &str); 21] = [
         "heading accuracy,bearing accuracy,course accuracy,yaw accuracy,heading sigma,sigma heading,heading std,\
          yaw std,=cov yawyaw,=cov yaw,=cov yaw yaw,heading variance,yaw variance",
     ),
-    ("left", "left,links,linkes,gauche,izquierda,izquierdo,sinistra,sinistro,=l,=enc l,=encoder l,=wheel l"),
-    ("right", "right,rechts,rechtes,droite,derecha,derecho,destra,destro,=r,=enc r,=encoder r,=wheel r"),
+    (
+        "left",
+        "left,links,linkes,gauche,izquierda,izquierdo,sinistra,sinistro,=l,=enc l,=encoder l,wheel l,=v l,=vl,\
+         =vel l,=velocity l,=speed l,=omega l,=wl,=ticks l,=rpm l",
+    ),
+    (
+        "right",
+        "right,rechts,rechtes,droite,derecha,derecho,destra,destro,=r,=enc r,=encoder r,wheel r,=v r,=vr,\
+         =vel r,=velocity r,=speed r,=omega r,=wr,=ticks r,=rpm r",
+    ),
 ];
 
 /// Words of a variance, whose root is a standard deviation.
@@ -204,42 +214,6 @@ pub(crate) const FORBIDDEN: [(&str, &[&str]); 13] = [
     ),
     ("sigma", &["heading", "bearing", "speed", "vertical", "yaw", "course", "range", "angle", "velocity", "direction"]),
     ("left", &["range", "distance", "camera", "image", "sonar", "ultrasonic"]),
-];
-
-/// Words of what a filter or a planner has made of a pose, which no sensor has read.
-pub(crate) const MADE: [&str; 32] = [
-    "est",
-    "estimate",
-    "estimated",
-    "ekf",
-    "ukf",
-    "kf",
-    "filter",
-    "filtered",
-    "fused",
-    "slam",
-    "amcl",
-    "odom",
-    "odometry",
-    "dr",
-    "reckoned",
-    "ref",
-    "reference",
-    "desired",
-    "des",
-    "cmd",
-    "command",
-    "target",
-    "setpoint",
-    "goal",
-    "pred",
-    "predicted",
-    "hat",
-    "smoothed",
-    "prior",
-    "posterior",
-    "planned",
-    "plan",
 ];
 
 /// Words of columns that are often beside a speed or a turn rate and hold neither.

@@ -2,13 +2,10 @@
 //! refused.
 
 use estimate::drive::Event;
-use robot_log::{Counting, Error, Files, Frame, Role};
+use robot_log::{Counting, Error, File, Files, Frame, Role};
 
-/// How a file is read, in one line.
-fn told(name: &str, text: &str) -> String {
-    let mut files = Files::default();
-    files.add(name, text).expect(name);
-    let file = &files.files()[0];
+/// How a reading of a file is read.
+fn read_so(file: &File) -> String {
     let values = file.role().values().iter().zip(file.columns()).zip(file.units());
     let columns: Vec<String> = values
         .filter_map(|((value, column), unit)| {
@@ -19,6 +16,15 @@ fn told(name: &str, text: &str) -> String {
     let asks = file.asks();
     let asked = if asks.is_empty() { String::new() } else { format!("; asks: {}", asks.join(" ")) };
     let follows = file.follows();
+    let followed = if follows.is_empty() { follows } else { format!("; {follows}") };
+    format!("{}: {}{asked}{followed}", file.role().name(), columns.join(", "))
+}
+
+/// How a file is read, in one line, and after a bar how it is read once more.
+fn told(name: &str, text: &str) -> String {
+    let mut files = Files::default();
+    files.add(name, text).expect(name);
+    let all: Vec<String> = files.files().iter().map(read_so).collect();
     let read = files.read();
     let said = match &read {
         Ok(read) if read.notes.is_empty() => String::new(),
@@ -27,11 +33,7 @@ fn told(name: &str, text: &str) -> String {
         Err(Error { line: 0, .. }) => String::new(),
         Err(error) => format!("; refused: {error}"),
     };
-    let followed = if follows.is_empty() { follows } else { format!("; {follows}") };
-    format!("{}: {}{asked}{followed}{said}", file.role().name(), columns.join(", "))
-        .replace(": ;", ":")
-        .trim_end()
-        .to_string()
+    format!("{}{said}", all.join(" | ")).replace(": ;", ":").trim_end().to_string()
 }
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/logs");

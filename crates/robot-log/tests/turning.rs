@@ -111,3 +111,71 @@ fn a_table_of_a_left_and_a_right_wheel_is_known_by_its_name_or_by_those_of_its_c
     let stereo = files(&[("camera.csv", "time,left_image,right_image\n0,1,1\n0.1,2,2\n")]);
     assert_eq!(stereo.files()[0].role(), Role::Unused);
 }
+
+/// A table of two wheels' speeds, a gyro and a receiver, with these names of the wheels.
+fn shared([left, right]: [&str; 2]) -> Files {
+    let rows = "0,1,1.2,,,,\n0.01,,,20,,,\n0.02,,,,48.1,11.5,0.02\n0.1,1.2,1.4,,,,\n0.11,,,21,,,\n";
+    files(&[("mower.csv", &format!("t_s,{left},{right},gyro_z_dps,lat_deg,lon_deg,rtk_sigma_m\n{rows}"))])
+}
+
+#[test]
+fn wheels_beside_a_gyro_and_a_receiver_in_one_table_are_its_speed() {
+    for names in [
+        ["v_left_mps", "v_right_mps"],
+        ["left_mps", "right_mps"],
+        ["left_wheel_speed_mps", "right_wheel_speed_mps"],
+        ["wheel_left_mps", "wheel_right_mps"],
+        ["wheel_speed_l_mps", "wheel_speed_r_mps"],
+        ["vl_mps", "vr_mps"],
+        ["v_l", "v_r"],
+        ["vel_l", "vel_r"],
+        ["speed_l", "speed_r"],
+        ["wl_rads", "wr_rads"],
+        ["omega_l", "omega_r"],
+        ["left_ticks", "right_ticks"],
+        ["vitesse_gauche", "vitesse_droite"],
+    ] {
+        let mut log = shared(names);
+        let roles: Vec<_> = log.files().iter().map(|file| (file.name(), file.role(), file.again())).collect();
+        let wanted = [("mower.csv", Role::Sensors, None), ("mower.csv, its motion", Role::Encoders, Some(0))];
+        assert_eq!(roles, wanted, "{names:?}");
+        assert!(log.files()[0].asks().is_empty(), "{names:?}: {:?}", log.files()[0].asks());
+        assert_eq!(
+            (log.files()[0].columns()[7], log.unread(0)),
+            (Some(6), vec![]),
+            "{names:?}: its σ, and all is read"
+        );
+        for value in ["left", "right"] {
+            assert!(log.set_unit(1, value, "m/s"), "{names:?}");
+        }
+        assert!(log.set_wheel(1, "base", 0.5));
+        assert_eq!(speeds(&rows(&log)), [[0.0, 1.1], [0.1, 1.2999999999999998]], "{names:?}");
+        assert_eq!(turns(&rows(&log)), [20_f64.to_radians(), 21_f64.to_radians()], "{names:?}");
+        let notes = log.read().expect("sound").notes;
+        let leave = "To turn by the wheels, choose no column (\u{2013}) for the turn rate of mower.csv.";
+        assert!(notes.iter().any(|note| note.ends_with(leave)), "{notes:?}");
+        // As it says.
+        assert!(log.set_column(0, "omega", None));
+        let first = rows(&log)[0].event;
+        assert!(matches!(first, Event::Velocity { omega, .. } if (omega - 0.4).abs() < 1e-12), "{first:?}");
+    }
+}
+
+#[test]
+fn wheels_are_no_speed_beside_a_speed_and_no_motion_beside_another_file_s() {
+    let both = "t_s,speed_mps,v_l,v_r,gyro_z_dps,lat,lon\n0,1,0.9,1.1,2,48.1,11.5\n1,1,0.9,1.1,2,48.1,11.5\n";
+    let log = files(&[("mower.csv", both)]);
+    assert_eq!((log.files().len(), log.files()[0].columns()[1], log.unread(0)), (1, Some(1), vec![2, 3]));
+    let mut log = shared(["v_l", "v_r"]);
+    log.add("gyro.csv", GYRO.1).expect("a file");
+    assert_eq!(log.files().len(), 3, "a gyro says no speed");
+    log.add("twist.csv", "time_s,v_mps,omega_radps\n0,1,0.2\n0.1,1.1,0.2\n").expect("a file");
+    let roles: Vec<Role> = log.files().iter().map(|file| file.role()).collect();
+    assert_eq!(roles, [Role::Sensors, Role::Sensors, Role::Velocities]);
+    // Without a receiver the gyro is read too, and without a gyro the receiver is.
+    for (head, row, again) in [("gyro_z_dps", "0,1,1,2", Role::Encoders), ("lat,lon", "0,1,1,48.1,11.5", Role::Sensors)]
+    {
+        let log = files(&[("agv.csv", &format!("t_s,left_mps,right_mps,{head}\n{row}\n"))]);
+        assert_eq!((log.files().len(), log.files()[1].role(), log.unread(0)), (2, again, vec![]), "{head}");
+    }
+}
