@@ -38,6 +38,7 @@ const ROLES = [
   'velocities',
   'odometry',
   'encoders',
+  'reckoned',
   'sensors',
   'sightings',
   'ranges',

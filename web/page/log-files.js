@@ -1,6 +1,5 @@
 /**
- * How the files of a log are read, for correction: what each is, which column holds which value and in which unit, what
- * a file asks, and what follows from how it is read.
+ * How the files of a log are read, for correction: their roles, columns and units, what a file asks, and what follows.
  */
 
 import { button, part } from '../draw/dom.js'
@@ -15,6 +14,7 @@ const ROLES = {
   velocities: 'velocities',
   odometry: 'odometry',
   encoders: 'encoders of two wheels',
+  reckoned: 'odometry as poses: x, y and heading',
   sensors: 'sensors: speed, turn rate, position, heading',
   sightings: 'sightings of landmarks',
   ranges: 'ranges, a column for each landmark',
@@ -47,6 +47,7 @@ const WHEELS = [
 const ANSWERS = {
   truth: 'The true position',
   sensors: 'What a sensor read',
+  reckoned: 'The robot’s odometry',
   ranges: 'Ranges to landmarks',
   unused: 'Leave it out',
 }

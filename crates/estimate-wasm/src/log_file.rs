@@ -8,8 +8,8 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** What a file of a log is. */
-export type LogRole = "log" | "velocities" | "odometry" | "encoders" | "sensors" | "sightings" | "ranges" | "landmarks"
-    | "truth" | "barcodes" | "undecided" | "unused";
+export type LogRole = "log" | "velocities" | "odometry" | "encoders" | "reckoned" | "sensors" | "sightings" | "ranges"
+    | "landmarks" | "truth" | "barcodes" | "undecided" | "unused";
 /** A value that a file's role has. */
 export interface LogValue {
     name: string;

@@ -3,10 +3,10 @@
 use crate::file::File;
 use crate::guess::{IS_TRUE, moving};
 use crate::holds::{Again, Holds};
-use crate::names::{Name, candidates};
+use crate::names::candidates;
 use crate::role::{Quantity, Role};
 use crate::source::Question;
-use crate::true_names::{has_coordinates, has_place, has_truth, is_received};
+use crate::true_names::{has_coordinates, has_place, has_truth, is_received, is_reckoned};
 use crate::wide;
 
 /// Reads the tables once more that hold what they are not read as, behind all that were added, and no longer those that
@@ -43,7 +43,7 @@ fn wanted(files: &[File], Again { of, holds }: Again) -> Option<Role> {
     let file = &files[of];
     let (names, role) = (&file.source.names, file.role());
     let ranges = matches!(role, Role::Ranges | Role::Sightings);
-    let driven = matches!(role, Role::Encoders | Role::Odometry);
+    let driven = matches!(role, Role::Encoders | Role::Odometry | Role::Reckoned);
     let called = has_truth(names);
     match holds {
         Holds::Truth => {
@@ -66,10 +66,10 @@ fn wanted(files: &[File], Again { of, holds }: Again) -> Option<Role> {
             moving(names, file.name()).filter(|_| !moves)
         }
         // Wheels beside a gyro: it says the turn and they say the speed, where nothing else does.
-        Holds::Motion if role == Role::Sensors && wheels_alone(names, file.name()) => {
+        Holds::Motion if role == Role::Sensors && file.source.column("v").is_none() => {
             let beside = |at: usize, file: &File| at != of && !is_motion_of(file, of) && may_drive(file);
             let driven = files.iter().enumerate().any(|(at, file)| beside(at, file));
-            (!driven).then_some(Role::Encoders)
+            moving(names, file.name()).filter(|role| !driven && is_its_own(file, *role))
         }
         Holds::Ranges if !ranges && (driven || matches!(role, Role::Velocities | Role::Sensors | Role::Truth)) => {
             (wide::group(names).is_some() || !file.source.called.is_empty()).then_some(Role::Ranges)
@@ -78,15 +78,23 @@ fn wanted(files: &[File], Again { of, holds }: Again) -> Option<Role> {
     }
 }
 
-/// Whether a table has the speeds or counts of two wheels and no speed.
-fn wheels_alone(names: &[Name], file: &str) -> bool {
-    candidates("v", Quantity::Speed, names).is_empty() && moving(names, file) == Some(Role::Encoders)
+/// Whether a table of sensors has a motion of its own: the speeds or counts of two wheels, or poses of odometry that
+/// are not its fixes; and no speed.
+fn is_its_own(file: &File, role: Role) -> bool {
+    let names = &file.source.names;
+    let fixes = file.source.column("x").is_some_and(|at| is_reckoned(&names[at]));
+    let alone = candidates("v", Quantity::Speed, names).is_empty();
+    alone && (role == Role::Encoders || (role == Role::Reckoned && !fixes))
 }
 
 /// Whether a file says how fast the robot drove, or may do so: more than a gyro does.
 fn may_drive(file: &File) -> bool {
-    let gyro = file.role() == Role::Sensors && candidates("v", Quantity::Speed, &file.source.names).is_empty();
-    file.may_move() && !gyro
+    let other = match file.role() {
+        Role::Sensors => true,
+        Role::Undecided => !file.answers().is_empty(),
+        _ => false,
+    };
+    file.may_move() && !(other && candidates("v", Quantity::Speed, &file.source.names).is_empty())
 }
 
 fn is_motion_of(file: &File, of: usize) -> bool {

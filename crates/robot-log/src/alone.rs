@@ -91,8 +91,8 @@ impl File {
             }),
             Role::Undecided if self.answers().is_empty() => true,
             Role::Undecided => {
-                self.answers().contains(&Role::Sensors)
-                    && (has("v", Quantity::Speed) || has("omega", Quantity::AngleRate))
+                let rates = has("v", Quantity::Speed) || has("omega", Quantity::AngleRate);
+                self.answers().contains(&Role::Reckoned) || (self.answers().contains(&Role::Sensors) && rates)
             }
             role => role.moves(),
         }

@@ -245,7 +245,7 @@ impl File {
     /// Whether it says how fast the robot was.
     pub(crate) fn has_speed(&self) -> bool {
         match self.role() {
-            Role::Velocities | Role::Odometry | Role::Encoders => true,
+            Role::Velocities | Role::Odometry | Role::Encoders | Role::Reckoned => true,
             Role::Sensors => self.source.column("v").is_some(),
             _ => false,
         }

@@ -249,7 +249,9 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             usual(QUATERNION)
         }
         Quantity::Heading => {
-            let global = !candidates("latitude", Quantity::Coordinate, &source.names).is_empty();
+            let has_latitude = !candidates("latitude", Quantity::Coordinate, &source.names).is_empty();
+            // What a robot reckons has nothing to do with them.
+            let global = has_latitude && source.role != Role::Reckoned;
             // Far from a full turn at first, a heading may pass it later on.
             let all = table.lines(text).filter_map(Result::ok).filter_map(|line| number(line.fields.get(column)?.text));
             let finite = all.filter(|it| it.is_finite());

@@ -143,7 +143,7 @@ impl File {
         let order = self.source.order.as_ref().map(|order| order.note(&self.name));
         let cut = self.source.table.as_ref().and_then(|table| Some(notes::cut(&self.name, table.cut?)));
         let all = self.others().into_iter().chain(order).chain(counted).chain(self.left_speed());
-        all.chain(frame).chain(cut).collect()
+        all.chain(frame).chain(cut).chain(self.pose_jumps_note()).collect()
     }
 
     /// What is said of it where it is not used.
@@ -286,7 +286,7 @@ impl File {
             return Err(refuse(format!("no column has been chosen for {value}, which {role} need")));
         }
         let (absent, jumps) = (self.absent(table), self.jumps());
-        let mut none = matches!(source.role, Role::Velocities | Role::Odometry | Role::Encoders | Role::Sensors);
+        let mut none = source.role.moves() && source.role != Role::Log;
         for line in self.lines(table) {
             none = false;
             let line = line.map_err(|e| e.within(index))?;

@@ -7,10 +7,11 @@ use crate::columns::{clockwise, columns, third_axis};
 use crate::cut::cut;
 use crate::fields::Line;
 use crate::names::{Name, candidates, is_acceleration, is_spread};
+use crate::quaternion;
 use crate::role::{Quantity, Role};
 use crate::source::{Known, Question, Source};
 use crate::table::{LOOKED_AT, Table};
-use crate::true_names::{has_coordinates, has_truth};
+use crate::true_names::{beside_reckoned, has_coordinates, has_truth, is_received, reckoned};
 use crate::vocabulary::BESIDE;
 use crate::wheels::Wheels;
 use crate::wide;
@@ -44,6 +45,11 @@ const FILES: [(&str, Role); 23] = [
 
 /// What is asked of places that may be either.
 pub(crate) const IS_TRUE: &str = "Are x and y the true position, or what a sensor read?";
+
+/// What is asked of poses, which the robot may have reckoned besides.
+const IS_ITS_OWN: &str = "Are x and y the true position, a sensor\u{2019}s fixes, or what the robot has reckoned of \
+                          its way?";
+const OR_ITS_OWN: [Role; 3] = [Role::Truth, Role::Sensors, Role::Reckoned];
 
 /// How a file is read unless the reader says otherwise.
 pub(crate) fn guess(name: &str, text: &str) -> Source {
@@ -138,6 +144,15 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         };
         return (if has("barcode", Quantity::Number) && landmark { Role::Barcodes } else { role }, None);
     }
+    // What the robot has reckoned is its motion, and the rest of its table something else.
+    if !v && !said.contains(&Role::Truth) && reckoned(names).is_some() {
+        let rest = beside_reckoned(names);
+        return match self::role(&file, text, table, &rest) {
+            (Role::Unused, _) => (Role::Reckoned, None),
+            (Role::Undecided, _) if !omega && is_received(&rest) => (Role::Sensors, None),
+            other => other,
+        };
+    }
     let is_true = said.contains(&Role::Truth) || has_truth(names);
     let encoders = encoders(names, &file);
     let sightings = landmark && has("range", Quantity::Length);
@@ -162,6 +177,9 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if (place || fix) && is_true && !(v && omega && said.contains(&Role::Truth)) => certain(Role::Truth),
         () if place && said.contains(&Role::Sensors) => certain(Role::Sensors),
         () if place && (v || omega) => ask(IS_TRUE),
+        () if place && (heading || quaternion::first(names).is_some()) => {
+            (Role::Undecided, Some(Question { words: IS_ITS_OWN.into(), answers: &OR_ITS_OWN }))
+        }
         () if place => ask("Are x and y the true position, or a sensor\u{2019}s fixes?"),
         () if sightings => certain(Role::Sightings),
         () if (v != omega) && !heading && !down && !axes && has_unknown(names) => {
@@ -225,6 +243,7 @@ pub(crate) fn moving(names: &[Name], file: &str) -> Option<Role> {
         () if encoders(names, &file.to_lowercase()) => Some(Role::Encoders),
         () if has("v", Quantity::Speed) && has("omega", Quantity::AngleRate) => Some(Role::Velocities),
         () if has("distance", Quantity::Length) && has("turn", Quantity::Angle) => Some(Role::Odometry),
+        () if !has("v", Quantity::Speed) && reckoned(names).is_some() => Some(Role::Reckoned),
         () => None,
     }
 }
@@ -250,7 +269,8 @@ fn has_unknown(names: &[Name]) -> bool {
     let known: Vec<usize> =
         known.into_iter().flat_map(|(value, quantity)| candidates(value, quantity, names)).collect();
     let beside = |name: &Name| name.has_one(&BESIDE) || is_acceleration(name) || is_spread(name);
-    names.iter().enumerate().any(|(i, name)| !known.contains(&i) && !beside(name))
+    let other = |(i, name): (usize, &Name)| !name.words.is_empty() && !known.contains(&i) && !beside(name);
+    names.iter().enumerate().any(other)
 }
 
 /// Whether the positions beside velocities are a robot's own reckoning, as in a message of odometry.

@@ -3,6 +3,7 @@
 use crate::counter::Jumps;
 use crate::fields::Line;
 use crate::file::File;
+use crate::role::Role;
 use crate::row;
 use crate::source::Source;
 use crate::unit;
@@ -32,6 +33,9 @@ impl File {
 
     /// Where its encoders' counts jump, as far as they are totals.
     pub(crate) fn jumps(&self) -> Jumps {
+        if self.role() == Role::Reckoned {
+            return self.pose_jumps();
+        }
         let Source { table: Some(table), units, columns, wheels, .. } = &self.source else { return Jumps::default() };
         let counts = matches!(wheels.counting, Some(Counting::Total | Counting::Restarted));
         let Some(unit) = units.get(1).copied().flatten().filter(|unit| counts && !is_speed(unit.name)) else {

@@ -85,6 +85,7 @@ mod parse;
 mod placed;
 mod quaternion;
 mod reading;
+mod reckoned;
 mod role;
 mod ros;
 mod row;

@@ -46,6 +46,13 @@ impl Name {
         self.words.iter().skip(self.shared).any(|word| words.contains(&word.as_str()))
     }
 
+    /// Its words but for these.
+    pub fn without(&self, words: &[&str]) -> Self {
+        let left = |range: &[String]| range.iter().filter(|it| !words.contains(&it.as_str())).cloned().collect();
+        let (all, own): (Vec<String>, Vec<String>) = (left(&self.words), left(&self.words[..self.own]));
+        Self { words: all, own: own.len(), shared: 0 }
+    }
+
     /// Whether words stand below the name.
     pub fn has_below(&self) -> bool {
         self.own < self.words.len()

@@ -21,6 +21,8 @@ pub(crate) struct Counts {
     pub stamps: Stamps,
     /// What two encoders had counted.
     pub counted: Option<[f64; 2]>,
+    /// The pose that was reckoned last.
+    pub reckoned: Option<[f64; 3]>,
     /// Fixes, and the headings of the same file.
     pub fixes: Repeats<[f64; 2]>,
     pub headings: Repeats<f64>,

@@ -41,7 +41,7 @@ pub(crate) struct LogReader {
     /// The point in degrees about which all places are: the first, unless one was said.
     pub origin: Option<Origin>,
     /// What is kept of the file that is being read.
-    kept: Counts,
+    pub kept: Counts,
     notes: Vec<String>,
     /// The files that were read, each with the number of the rows up to its end.
     files: Vec<(String, usize)>,
@@ -107,6 +107,7 @@ impl LogReader {
                 let event = unit.and_then(|unit| wheels.event(unit, counted, before, cells.jumps));
                 self.driven(start, time, event)?;
             }
+            Role::Reckoned => self.reckoned(cells)?,
             Role::Sensors => self.sensors(cells)?,
             Role::Landmarks => {
                 self.to.begin(start)?;
@@ -214,13 +215,12 @@ impl LogReader {
     }
 
     /// A row that says how the robot drove and turned, if it says anything.
-    fn driven(&mut self, start: CellPlace, time: f64, event: Option<Event>) -> Result<(), Error> {
+    pub fn driven(&mut self, start: CellPlace, time: f64, event: Option<Event>) -> Result<(), Error> {
         let row = match self.turned {
             true => self.way.speed(time, event, self.to.rows().len()),
             false => event.map(|event| Row::new(time, event)),
         };
-        let Some(row) = row else { return Ok(()) };
-        self.motion(start, row.time, row.event)
+        row.map_or(Ok(()), |row| self.motion(start, row.time, row.event))
     }
 
     fn motion(&mut self, start: CellPlace, time: f64, event: Event) -> Result<(), Error> {

@@ -65,6 +65,8 @@ pub enum Role {
     Odometry,
     /// What the encoders of two wheels have counted.
     Encoders,
+    /// Poses that the robot has reckoned of its way, from where it was switched on.
+    Reckoned,
     /// Readings of one sensor or several: a speed, a turn rate, a position, a heading. A row may lack some.
     Sensors,
     /// Sightings of landmarks.
@@ -91,11 +93,12 @@ const TIME: Value = value("time", Time);
 
 impl Role {
     /// All roles and their names.
-    pub const ALL: [(Role, &'static str); 12] = [
+    pub const ALL: [(Role, &'static str); 13] = [
         (Role::Log, "log"),
         (Role::Velocities, "velocities"),
         (Role::Odometry, "odometry"),
         (Role::Encoders, "encoders"),
+        (Role::Reckoned, "reckoned"),
         (Role::Sensors, "sensors"),
         (Role::Sightings, "sightings"),
         (Role::Ranges, "ranges"),
@@ -116,6 +119,8 @@ impl Role {
         const VELOCITIES: [Value; 5] = [TIME, value("v", Speed), value("omega", AngleRate), FRACTION, DAY];
         const ODOMETRY: [Value; 5] = [TIME, value("distance", Length), value("turn", Angle), FRACTION, DAY];
         const ENCODERS: [Value; 5] = [TIME, value("left", Wheel), value("right", Wheel), FRACTION, DAY];
+        const RECKONED: [Value; 6] =
+            [TIME, value("x", Length), value("y", Length), value("heading", Heading), FRACTION, DAY];
         const SENSORS: [Value; 12] = [
             TIME,
             optional("v", Speed),
@@ -157,6 +162,7 @@ impl Role {
             Self::Velocities => &VELOCITIES,
             Self::Odometry => &ODOMETRY,
             Self::Encoders => &ENCODERS,
+            Self::Reckoned => &RECKONED,
             Self::Sensors => &SENSORS,
             Self::Sightings => &SIGHTINGS,
             Self::Ranges => &RANGES,
@@ -174,6 +180,6 @@ impl Role {
 
     /// Whether its rows say how the robot moved, or may say so.
     pub(crate) fn moves(self) -> bool {
-        matches!(self, Self::Log | Self::Velocities | Self::Odometry | Self::Encoders | Self::Sensors)
+        matches!(self, Self::Log | Self::Velocities | Self::Odometry | Self::Encoders | Self::Reckoned | Self::Sensors)
     }
 }

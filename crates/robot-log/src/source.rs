@@ -101,10 +101,11 @@ impl Source {
     /// empty.
     pub fn says_nothing(&self, line: &Line<'_>) -> bool {
         let needed = match self.role {
-            Role::Velocities => ["v", "omega"],
-            Role::Odometry => ["distance", "turn"],
-            Role::Encoders => ["left", "right"],
-            Role::Sightings => ["landmark", "range"],
+            Role::Velocities => &["v", "omega"][..],
+            Role::Odometry => &["distance", "turn"],
+            Role::Encoders => &["left", "right"],
+            Role::Reckoned => &["x", "y", "heading"],
+            Role::Sightings => &["landmark", "range"],
             _ => return false,
         };
         let field = |value: &&str| self.column(value).and_then(|at| line.fields.get(at));

@@ -1,10 +1,11 @@
 //! Columns that are called a true pose, and those that a sensor may have read: not what a filter made of them.
 
 use crate::names::{Name, candidates};
+use crate::quaternion;
 use crate::role::{Quantity, Role};
 
 /// Words of what a filter or a planner has made of a pose, which no sensor has read.
-const MADE: [&str; 32] = [
+const MADE: [&str; 34] = [
     "est",
     "estimate",
     "estimated",
@@ -37,12 +38,55 @@ const MADE: [&str; 32] = [
     "posterior",
     "planned",
     "plan",
+    "reckoning",
+    "wheel",
 ];
+
+/// Words of what a robot has reckoned of its way, and of what a filter has made, which is none.
+const RECKONED: [&str; 7] = ["odom", "odometry", "reckoned", "reckoning", "dead", "dr", "wheel"];
+const FILTERED: [&str; 14] = [
+    "est",
+    "estimate",
+    "estimated",
+    "ekf",
+    "ukf",
+    "kf",
+    "filter",
+    "filtered",
+    "fused",
+    "slam",
+    "amcl",
+    "smoothed",
+    "corrected",
+    "optimized",
+];
+
+/// Whether a column is called odometry's.
+pub(crate) fn is_reckoned(name: &Name) -> bool {
+    name.has_one(&RECKONED) && !name.has_one(&FILTERED) && !is_true(name)
+}
+
+/// The columns that are called odometry's, without the words that say so; the others have no name. `None` where they
+/// are no x, y and heading.
+pub(crate) fn reckoned(names: &[Name]) -> Option<Vec<Name>> {
+    let own = |name: &Name| if is_reckoned(name) { name.without(&RECKONED) } else { Name::new("") };
+    let own: Vec<Name> = names.iter().map(own).collect();
+    let has = |value, quantity| !candidates(value, quantity, &own).is_empty();
+    let heading = has("heading", Quantity::Heading) || quaternion::first(&own).is_some();
+    (has("x", Quantity::Length) && has("y", Quantity::Length) && heading).then_some(own)
+}
 
 /// Whether a column is called true. True north, and the course from there, are none.
 pub(crate) fn is_true(name: &Name) -> bool {
     let of_north = name.has("true") && name.has_one(&["heading", "hdg", "north", "course", "track", "bearing"]);
     name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]) && !of_north
+}
+
+/// The columns that are not called odometry's, and the first one of the time; the others have no name.
+pub(crate) fn beside_reckoned(names: &[Name]) -> Vec<Name> {
+    let time = candidates("time", Quantity::Time, names).first().copied();
+    let is_one = |at: usize| time == Some(at) || !is_reckoned(&names[at]);
+    (0..names.len()).map(|at| if is_one(at) { names[at].clone() } else { Name::new("") }).collect()
 }
 
 /// The columns that are called true, or those that a sensor may have read; what is none of these has no name.
@@ -74,7 +118,7 @@ fn has(names: &[Name], truth: bool, values: [&str; 2], quantity: Quantity) -> bo
 /// Whether an x that is not called true is a receiver's.
 pub(crate) fn is_received(names: &[Name]) -> bool {
     let x = candidates("x", Quantity::Length, &parted(names, false));
-    x.iter().any(|at| names[*at].has_one(&["gps", "gnss", "rtk", "fix"]))
+    x.iter().any(|at| names[*at].has_one(&["gps", "gnss", "rtk", "fix", "nav", "laser", "lidar"]))
 }
 
 /// The columns among which a role looks for a value: a truth for its pose among those that are called true, a sensor
@@ -82,6 +126,7 @@ pub(crate) fn is_received(names: &[Name]) -> bool {
 pub(crate) fn sought(role: Role, value: &str, names: &[Name]) -> Vec<Name> {
     let of_pose = matches!(value, "x" | "y" | "heading" | "latitude" | "longitude");
     match role {
+        Role::Reckoned if of_pose => reckoned(names).unwrap_or_else(|| names.to_vec()),
         // Places of a filter are a sensor's where the reader says so; whose heading it is is not said by that.
         Role::Sensors if of_pose => {
             let some = value == "heading" || has_place(names, false) || has_coordinates(names, false);

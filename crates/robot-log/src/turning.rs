@@ -14,7 +14,7 @@ pub(crate) fn gyro(files: &[File]) -> Option<usize> {
 
 /// Whether all its rows of motion say both how the robot drove and how it turned.
 pub(crate) fn drives(file: &File) -> bool {
-    matches!(file.role(), Role::Velocities | Role::Odometry | Role::Encoders)
+    matches!(file.role(), Role::Velocities | Role::Odometry | Role::Encoders | Role::Reckoned)
 }
 
 /// What is said of the turns that are left out.

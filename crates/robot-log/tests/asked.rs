@@ -58,8 +58,11 @@ fn a_motion_that_is_missing_is_said_before_what_the_files_ask() {
     assert!(!px4.files()[0].asks().is_empty(), "its question stays");
     let error = refused(&px4);
     assert!(error.message.starts_with("the robot's motion is missing: px4-sdlog2-gps.csv has neither"), "{error}");
-    let track = library("tum-trajectory.txt");
-    assert!(refused(&track).message.contains("what tum-trajectory.txt is has to be said"), "{}", refused(&track));
+    let track = library("east-north-sigma.csv");
+    assert!(refused(&track).message.contains("what east-north-sigma.csv is has to be said"), "{}", refused(&track));
+    // Poses may be what the robot has reckoned.
+    let poses = library("tum-trajectory.txt");
+    assert!(refused(&poses).message.contains("tum-trajectory.txt asks: Are x and y"), "{}", refused(&poses));
     // With the motion beside it, what is asked is asked; and what may be the motion is asked at once.
     let mut both = px4;
     both.add("wheels.csv", &wheels(false)).expect("a file");
