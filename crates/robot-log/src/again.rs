@@ -43,7 +43,8 @@ fn wanted(files: &[File], Again { of, holds }: Again) -> Option<Role> {
     let file = &files[of];
     let (names, role) = (&file.source.names, file.role());
     let ranges = matches!(role, Role::Ranges | Role::Sightings);
-    let driven = matches!(role, Role::Encoders | Role::Odometry | Role::Reckoned);
+    let counted = matches!(role, Role::Encoders | Role::Odometry);
+    let driven = counted || role == Role::Reckoned;
     let called = has_truth(names);
     match holds {
         Holds::Truth => {
@@ -54,7 +55,7 @@ fn wanted(files: &[File], Again { of, holds }: Again) -> Option<Role> {
             let truth = role == Role::Truth && called;
             match () {
                 () if (ranges || driven || truth) && has_coordinates(names, false) => Some(Role::Sensors),
-                () if (truth || role == Role::Ranges) && has_place(names, false) => {
+                () if (truth || counted || role == Role::Ranges) && has_place(names, false) => {
                     Some(if is_received(names) { Role::Sensors } else { Role::Undecided })
                 }
                 () => None,

@@ -168,7 +168,7 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if wide::group(names).is_some() => certain(Role::Ranges),
         // A gyro beside the wheels: it is a sensor, and they are read once more.
         () if encoders && !place && omega && !v => certain(Role::Sensors),
-        () if encoders => certain(Role::Encoders),
+        () if encoders && (!omega || v) => certain(Role::Encoders),
         () if read => certain(Role::Sensors),
         () if v && omega && !place && has_blanks(text, table, names) => certain(Role::Sensors),
         () if v && omega && !place => certain(Role::Velocities),

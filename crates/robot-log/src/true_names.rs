@@ -4,47 +4,10 @@ use crate::names::{Name, candidates};
 use crate::quaternion;
 use crate::role::{Quantity, Role};
 
-/// Words of what a filter or a planner has made of a pose, which no sensor has read.
-const MADE: [&str; 34] = [
-    "est",
-    "estimate",
-    "estimated",
-    "ekf",
-    "ukf",
-    "kf",
-    "filter",
-    "filtered",
-    "fused",
-    "slam",
-    "amcl",
-    "odom",
-    "odometry",
-    "dr",
-    "reckoned",
-    "ref",
-    "reference",
-    "desired",
-    "des",
-    "cmd",
-    "command",
-    "target",
-    "setpoint",
-    "goal",
-    "pred",
-    "predicted",
-    "hat",
-    "smoothed",
-    "prior",
-    "posterior",
-    "planned",
-    "plan",
-    "reckoning",
-    "wheel",
-];
-
-/// Words of what a robot has reckoned of its way, and of what a filter has made, which is none.
+/// Words of what a robot has reckoned of its way, of what a filter has made of a pose, and of what a planner has: no
+/// sensor has read it.
 const RECKONED: [&str; 7] = ["odom", "odometry", "reckoned", "reckoning", "dead", "dr", "wheel"];
-const FILTERED: [&str; 14] = [
+const FILTERED: [&str; 18] = [
     "est",
     "estimate",
     "estimated",
@@ -59,7 +22,30 @@ const FILTERED: [&str; 14] = [
     "smoothed",
     "corrected",
     "optimized",
+    "hat",
+    "prior",
+    "posterior",
+    "pred",
 ];
+const PLANNED: [&str; 12] = [
+    "predicted",
+    "ref",
+    "reference",
+    "desired",
+    "des",
+    "cmd",
+    "command",
+    "target",
+    "setpoint",
+    "goal",
+    "planned",
+    "plan",
+];
+
+/// Whether a column is called what no sensor has read.
+fn is_made(name: &Name) -> bool {
+    [&RECKONED[..], &FILTERED, &PLANNED].into_iter().any(|words| name.has_one_itself(words))
+}
 
 /// Whether a column is called odometry's.
 pub(crate) fn is_reckoned(name: &Name) -> bool {
@@ -91,7 +77,7 @@ pub(crate) fn beside_reckoned(names: &[Name]) -> Vec<Name> {
 
 /// The columns that are called true, or those that a sensor may have read; what is none of these has no name.
 fn parted(names: &[Name], truth: bool) -> Vec<Name> {
-    let is_one = |name: &Name| is_true(name) == truth && (truth || !name.has_one_itself(&MADE));
+    let is_one = |name: &Name| is_true(name) == truth && (truth || !is_made(name));
     names.iter().map(|name| if is_one(name) { name.clone() } else { Name::new("") }).collect()
 }
 

@@ -179,3 +179,21 @@ fn wheels_are_no_speed_beside_a_speed_and_no_motion_beside_another_file_s() {
         assert_eq!((log.files().len(), log.files()[1].role(), log.unread(0)), (2, again, vec![]), "{head}");
     }
 }
+
+/// A place in metres beside wheels may be anybody's: it is asked whose, and neither it nor a gyro is passed over.
+#[test]
+fn a_place_beside_wheels_is_asked_about() {
+    for (header, more, roles) in [
+        ("t,v_left,v_right,gyro_z,x,y", ",0.1,2,3", [Role::Sensors, Role::Encoders]),
+        ("t,v_left,v_right,x,y", ",2,3", [Role::Encoders, Role::Sensors]),
+    ] {
+        let rows = (0..40).map(|k| format!("{},1,1.1{more}\n", f64::from(k) * 0.1));
+        let mut files = Files::default();
+        files.add("all.csv", &format!("{header}\n{}", rows.collect::<String>())).expect("a table");
+        let asked = files.files().iter().position(|file| file.role() == Role::Undecided).expect("a question");
+        assert!(files.files()[asked].asks()[0].starts_with("Are x and y the true position, or what a sensor read?"));
+        files.set_role(asked, Role::Sensors);
+        let read: Vec<Role> = files.files().iter().map(|file| file.role()).collect();
+        assert_eq!(read, roles, "{header}");
+    }
+}

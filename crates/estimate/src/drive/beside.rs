@@ -44,7 +44,7 @@ pub(crate) fn by_itself(round: &mut Round, drive: &Drive, scope: &Scope) -> Resu
     Ok(much)
 }
 
-/// Readings that are worse than they claim bend what is found by them: an arm takes in a delay that is none. The fault
+/// Fixes that are worse than they claim bend what is found by them: an arm takes in a delay that is none. The fault
 /// as it is beside the σ that they have, where the two explain more than the fault and a σ do otherwise.
 fn beside_claims(
     round: &Round,
@@ -54,7 +54,7 @@ fn beside_claims(
 ) -> Result<Option<(Suspect, Trial)>, Error> {
     let (Some((alone, _)), Some(base)) = (round.found.get(at), &round.base) else { return Ok(None) };
     let larger = |it: &Suspect| it.sizes.iter().all(|size| size.value > size.now) && it.excess > MOST * alone.excess;
-    let claim = |it: &Suspect| it.number.filter(|number| it.fault == Fault::Sigma && number.is_of_reading());
+    let claim = |it: &Suspect| it.number.filter(|number| it.fault == Fault::Sigma && number.is_sigma_of_fixes());
     let claims = round.found.iter().filter(|(it, _)| larger(it));
     let Some((claim, (sigma, wide))) = claims.filter_map(|it| Some((claim(&it.0)?, it))).next() else {
         return Ok(None);
@@ -80,17 +80,17 @@ fn beside_claims(
 fn beside(round: &Round) -> Option<(&Suspect, Vec<(usize, &Suspect)>)> {
     let (first, _) = round.found.first()?;
     let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
-    let of_fixes = first.number == Some(Fitted::FixSigmaScale);
-    let of_reading = first.number.is_some_and(Fitted::is_of_reading);
+    let claimed = first.number == Some(Fitted::FixSigmaScale);
+    let of_fixes = first.number.is_some_and(Fitted::is_sigma_of_fixes);
     // An arm and a delay look alike beside a σ of the motion that allows for both: which it is, they tell by
     // themselves. So do the delays of speed and turn rate where one sensor alone is read.
     let clock = most(&round.found, &|it| it.fault == Fault::Clock);
     let several = round.tried.iter().any(|tried| matches!(tried, Tried::Together(_)));
     let other = |it: &Suspect| match it.number {
         Some(Fitted::DelayTurn) => !several,
-        _ => it.fault == Fault::Antenna && it.gain < clock && !of_reading,
+        _ => it.fault == Fault::Antenna && it.gain < clock && !of_fixes,
     };
-    let kept = |it: &Suspect| it.fault != Fault::Sigma && !(of_fixes && it.fault == Fault::Start) && !other(it);
+    let kept = |it: &Suspect| it.fault != Fault::Sigma && !(claimed && it.fault == Fault::Start) && !other(it);
     let all = round.found.iter().map(|(suspect, _)| suspect).enumerate();
     let others: Vec<_> = all.filter(|(_, suspect)| suspect.excess > 0.0 && kept(suspect)).collect();
     (larger && first.excess > 0.0 && !others.is_empty()).then_some((first, others))
@@ -126,10 +126,10 @@ pub(crate) fn hoist(first: &mut Round, mut round: Round, drive: &Drive, scope: &
         let base = round.base.as_ref().filter(|_| any);
         return (false, base.and_then(|base| thinning(drive, &round.place, base, scope.rows)));
     }
-    let claim = first.found.first().and_then(|(it, _)| it.number).filter(|number| number.is_of_reading());
+    let claim = first.found.first().and_then(|(it, _)| it.number).filter(|number| number.is_sigma_of_fixes());
     // How large it is, the settings as they are tell: the log-likelihood that a reader watches is highest
     // there, and a σ that allows for all errors moves that place. How well it is known, the larger σ tells; and how
-    // large it is, too, where that σ is of readings that claim too much.
+    // large it is, too, where that σ is of fixes that claim too much.
     for (suspect, place) in &mut found {
         if let Some(claim) = claim {
             claim.set(&mut place.settings, claim.get(&first.place.settings));

@@ -175,9 +175,9 @@ impl Fitted {
             && !matches!(self, Self::SpeedScale | Self::TurnBias)
     }
 
-    /// Whether it is how far readings may be off, and not the motion.
-    pub(crate) fn is_of_reading(self) -> bool {
-        self.is_sigma() && !matches!(self, Self::SigmaDistance | Self::SigmaTurn)
+    /// Whether it is how far fixes may be off.
+    pub(crate) fn is_sigma_of_fixes(self) -> bool {
+        matches!(self, Self::SigmaFix | Self::FixSigmaScale)
     }
 
     /// Whose readings bring the standard deviations that it is a factor on.

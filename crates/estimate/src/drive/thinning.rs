@@ -91,7 +91,7 @@ fn spread(drive: &Drive, place: &Trial, base: &Evidence, rows: u32) -> impl Iter
 
 /// Whether a smaller σ of the fixes is what a suspect says.
 fn is_smaller(suspect: &Suspect) -> bool {
-    let of_fixes = matches!(suspect.number, Some(Fitted::SigmaFix | Fitted::FixSigmaScale));
+    let of_fixes = suspect.number.is_some_and(Fitted::is_sigma_of_fixes);
     suspect.fault == Fault::Sigma && of_fixes && suspect.sizes.iter().all(|size| size.value < size.now)
 }
 
