@@ -19,6 +19,9 @@ export function fixed(value, decimals = 2) {
   return decimal(value, decimals)
 }
 
+/** An error in metres, to the centimetre, below a decimetre to the millimetre. @param {number | null | undefined} value */
+export const metres = (value) => fixed(value, Math.abs(value ?? 1) < 0.0995 ? 3 : 2)
+
 /**
  * The same of a finite number, but with all its digits however large it is: a place may lie far from its origin.
  * @param {number} value @param {number} [decimals]

@@ -1,7 +1,7 @@
 /** The report on a log: its facts, the settings, the results, and the readings of each landmark. */
 
 import { button, part } from '../draw/dom.js'
-import { decimal, fixed } from '../draw/numbers.js'
+import { decimal, fixed, metres } from '../draw/numbers.js'
 import { writeHtml } from '../draw/words.js'
 import { looksOf } from '../widgets/robot-log/looks.js'
 import { clock } from '../widgets/robot-log/words.js'
@@ -221,7 +221,7 @@ function tested({ summary: { withheld } }) {
   if (!withheld || withheld.rows === 0) return []
   const { rows, rms, worst, rmsSmoothed, worstSmoothed } = withheld
   const far = (/** @type {number | null | undefined} */ one, /** @type {number | null | undefined} */ most) =>
-    one === null || one === undefined ? '–' : `${fixed(one, 2)} m RMS, ${fixed(most ?? Number.NaN, 2)} m at worst`
+    one === null || one === undefined ? '–' : `${metres(one)} m RMS, ${metres(most ?? Number.NaN)} m at worst`
   return [
     ['Fixes that were withheld', rows.toLocaleString('en')],
     ['The filter’s distance from them', far(rms, worst)],

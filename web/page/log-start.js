@@ -4,7 +4,7 @@
  */
 
 import { button, part } from '../draw/dom.js'
-import { fixed } from '../draw/numbers.js'
+import { fixed, metres } from '../draw/numbers.js'
 import { withholdingShown } from '../widgets/robot-log/withheld.js'
 import { boundsOf, openedBy } from './log-numbers.js'
 import { numberField } from './number-field.js'
@@ -148,7 +148,7 @@ function tested({ summary: { withheld } }) {
       ? ''
       : ` The smoothed track is ${fixed(rmsSmoothed, 2)} m from them, ${fixed(worstSmoothed, 2)} m at worst.`
   return (
-    `The filter is ${fixed(rms, 2)} m (RMS) from the ${rows.toLocaleString('en')} withheld fixes, ` +
+    `The filter is ${metres(rms)} m (RMS) from the ${rows.toLocaleString('en')} withheld fixes, ` +
     `${fixed(worst, 2)} m at worst.${after} `
   )
 }

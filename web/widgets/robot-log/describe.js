@@ -1,6 +1,6 @@
 /** Each panel of the figure of a log in words. */
 
-import { fixed } from '../../draw/numbers.js'
+import { fixed, metres } from '../../draw/numbers.js'
 import { mapped } from './controls.js'
 import { clock, percent } from './words.js'
 
@@ -26,8 +26,8 @@ export function describe(frame) {
   const error =
     summary.rmse === null
       ? 'how far off the estimate is nobody knows'
-      : `the RMS error of the position so far is ${fixed(summary.rmse, 2)} metres, that of dead ` +
-        `reckoning ${fixed(frame.reckonedRmse, 2)} metres`
+      : `the RMS error of the position so far is ${metres(summary.rmse)} metres, that of dead ` +
+        `reckoning ${metres(frame.reckonedRmse)} metres`
   const none = 'no reading has been used'
   const outside = (/** @type {number[]} */ values, /** @type {number} */ band) =>
     values.filter((value) => Math.abs(value) > band).length

@@ -3,7 +3,7 @@
  * The ranges read seven per cent long; the reader finds that out.
  */
 
-import { fixed } from '../../draw/numbers.js'
+import { fixed, metres } from '../../draw/numbers.js'
 import { controls, mapped } from './controls.js'
 import { describe } from './describe.js'
 import { drawBearings, drawErrors, drawInnovations, drawNis } from './history.js'
@@ -46,8 +46,8 @@ function readouts(frame) {
   const shown = known(frame)
   const share = used + refused === 0 ? '–' : percent(refused / (used + refused))
   return [
-    { key: 'rmse', label: 'RMS error', value: fixed(summary.rmse, 2), unit: 'm', kin: 'truth', headline: true, shown },
-    { key: 'reckoned', label: 'of dead reckoning', value: fixed(reckonedRmse, 2), unit: 'm', kin: 'prediction', shown },
+    { key: 'rmse', label: 'RMS error', value: metres(summary.rmse), unit: 'm', kin: 'truth', headline: true, shown },
+    { key: 'reckoned', label: 'of dead reckoning', value: metres(reckonedRmse), unit: 'm', kin: 'prediction', shown },
     { key: 'refused', label: 'Readings refused', value: share },
     { key: 'nis', label: 'NIS for each output', value: fixed(summary.nis, 2), kin: 'measurement' },
     { key: 'mean', label: 'Mean of {innov}/√*S*', value: fixed(summary.meanInnovation, 2), kin: 'measurement' },
@@ -61,7 +61,7 @@ function readouts(frame) {
           : `${fixed(100 * summary.epsilon, 2)} ± ${fixed(100 * (summary.epsilonSigma ?? NaN), 2)} %`,
       kin: 'posterior',
     },
-    { key: 'worst', label: 'Worst error', value: fixed(summary.worst, 2), unit: 'm', kin: 'truth', more: true, shown },
+    { key: 'worst', label: 'Worst error', value: metres(summary.worst), unit: 'm', kin: 'truth', more: true, shown },
     { key: 'used', label: 'Readings used', value: String(used), more: true },
     {
       key: 'slope',

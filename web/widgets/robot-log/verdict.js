@@ -1,6 +1,6 @@
 /** The verdict on a log in words: which fault the readings tell, how large it is, and what mends it. */
 
-import { fixed } from '../../draw/numbers.js'
+import { fixed, metres } from '../../draw/numbers.js'
 import { antennaSentence, ofAStep } from './antenna.js'
 import { DILUTED, odometrySentence, byNoise, turnScaleSentence } from './driven.js'
 import { HIDDEN, bridged, cutsFirst } from './gaps.js'
@@ -99,7 +99,7 @@ function foreign({ suspects, ungated, against }, truth, log) {
   if (!first.mended || !against) return most
   const likely = `${most} The likeliest is this: ${sentence(first, truth, log)}`
   if (sigmas) return likely
-  const from = `${fixed(first.mended.rmse, 2)} m from the truth, where it is ${fixed(against.rmse, 2)} m from it now`
+  const from = `${metres(first.mended.rmse)} m from the truth, where it is ${metres(against.rmse)} m from it now`
   const gate = ungated ? ' without the gate' : ''
   return `${likely} Mended so, the estimate would be ${from}${gate} (RMS): another fault may hide behind it.`
 }
@@ -180,7 +180,7 @@ function errors({ suspects: [{ mended }], against, ungated, other, pace, ownDela
     `${fixed(100 * outside, 0)} % of the errors lie beyond the ellipse that should hold 95 %.`
   if (!mended && outside > MANY) return `${now} ${rmse <= pace * ownDelay ? HELD : TRUTH}`
   if (!mended || other) return now
-  const [before, after] = [rmse, mended.rmse].map((one) => fixed(one, 2))
+  const [before, after] = [rmse, mended.rmse].map((one) => metres(one))
   const goes =
     before === after ? `stays ${after} m and the NEES goes` : `goes from ${before} to ${after} m and the NEES`
   return `${now} Mended so, the RMS error${off} ${goes} to ${fixed(mended.nees, 1)}.`

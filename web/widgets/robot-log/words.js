@@ -1,6 +1,6 @@
 /** What the figure of a log says: each sentence follows from the numbers of the frame. */
 
-import { fixed } from '../../draw/numbers.js'
+import { fixed, metres } from '../../draw/numbers.js'
 import { unsettledWords } from './unsettled.js'
 import { ranked } from './verdict.js'
 
@@ -87,10 +87,10 @@ export function verdict(frame) {
 /** @param {Frame} frame @param {boolean} compared */
 function errorOf({ summary, reckonedRmse }, compared) {
   if (summary.rmse === null) return compared ? '' : ' There is no truth to hold it against.'
-  const rmse = ` The RMS error of the position is ${fixed(summary.rmse, 2)} m`
+  const rmse = ` The RMS error of the position is ${metres(summary.rmse)} m`
   if (!compared || reckonedRmse === null) return `${rmse}.`
   const ratio = summary.rmse / reckonedRmse
-  const than = `${fixed(reckonedRmse, 2)} m of dead reckoning`
+  const than = `${metres(reckonedRmse)} m of dead reckoning`
   if (!(Math.abs(ratio - 1) > ALIKE)) return `${rmse}, about the ${than}.`
   return `${rmse}, ${ratio > 1 ? 'worse' : 'better'} than the ${than}.`
 }
