@@ -19,7 +19,10 @@ export function fixed(value, decimals = 2) {
   return decimal(value, decimals)
 }
 
-/** An error in metres, to the centimetre, below a decimetre to the millimetre. @param {number | null | undefined} value */
+/**
+ * An error in metres, to the centimetre, below a decimetre to the millimetre.
+ * @param {number | null | undefined} value
+ */
 export const metres = (value) => fixed(value, Math.abs(value ?? 1) < 0.0995 ? 3 : 2)
 
 /**
