@@ -8,14 +8,16 @@ use crate::fields::Line;
 use crate::file::File;
 use crate::reading::LogReader;
 use crate::role::Role;
-use crate::{row, unit};
+use crate::unit::{self, QUATERNION};
+use crate::{quaternion, row};
 use core::f64::consts::TAU;
 use estimate::drive::Event;
 
 /// So many times faster than nearly all other steps, and than those beside it, no robot drives.
 const ODD: f64 = 20.0;
-/// A jump is longer than this, m, and is sought among so many rows at least.
+/// A jump is longer than this, m, or turns by more than this, rad, and is sought among so many rows at least.
 const LEAST: f64 = 0.5;
+const LEAST_TURN: f64 = 0.3;
 const FEWEST: usize = 8;
 
 /// The way and the turn from one pose to the next, each x, y and heading.
@@ -28,29 +30,44 @@ pub(crate) fn step([x, y, from]: [f64; 3], [to_x, to_y, to]: [f64; 3]) -> Event 
     Event::Odometry { distance: chord * arc, turn }
 }
 
-/// The steps that no motion makes, of poses in the order of their times: each with its line, its time, its x and its y.
-fn jumps(poses: &[(u32, f64, [f64; 2])]) -> Vec<Jump> {
-    let sorted = |numbers: Vec<f64>| {
-        let mut above: Vec<f64> = numbers.into_iter().filter(|number| *number > 0.0).collect();
-        above.sort_unstable_by(f64::total_cmp);
-        above
-    };
-    let times = sorted(poses.windows(2).map(|pair| pair[1].1 - pair[0].1).collect());
-    let Some(period) = times.get(times.len() / 2).copied() else { return Vec::new() };
-    let way = |pair: &[(u32, f64, [f64; 2])]| {
-        let ([x, y], [to_x, to_y]) = (pair[0].2, pair[1].2);
-        libm::hypot(to_x - x, to_y - y)
-    };
-    // Times that jitter make no step faster than the usual time does.
-    let speeds: Vec<f64> = poses.windows(2).map(|pair| way(pair) / (pair[1].1 - pair[0].1).max(period)).collect();
-    let usual = sorted(speeds.clone());
-    let Some(usual) = usual.get(usual.len() * 9 / 10).filter(|_| poses.len() >= FEWEST) else { return Vec::new() };
-    let is_odd = |i: usize| {
+/// A pose: its line, its time, its x, y and heading; NaN of a heading that is missing.
+type Pose = (u32, f64, [f64; 3]);
+
+fn sorted(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut above: Vec<f64> = numbers.filter(|number| *number > 0.0).collect();
+    above.sort_unstable_by(f64::total_cmp);
+    above
+}
+
+/// The steps, by their lengths and their speeds, that no motion makes.
+fn odd(lengths: &[f64], speeds: &[f64], least: f64) -> Vec<usize> {
+    let usual = sorted(speeds.iter().copied());
+    let Some(usual) = usual.get(usual.len() * 9 / 10) else { return Vec::new() };
+    let is_odd = |i: &usize| {
         let beside = [i.checked_sub(1), Some(i + 1)].into_iter().flatten().filter_map(|at| speeds.get(at));
-        way(&poses[i..i + 2]) > LEAST && beside.chain([usual]).all(|speed| speeds[i] > ODD * speed)
+        lengths[*i] > least && beside.chain([usual]).all(|speed| speeds[*i] > ODD * speed)
     };
-    let jump = |i: usize| Jump { line: poses[i + 1].0, side: 0, from: 0.0, to: 0.0, gap: None };
-    (0..speeds.len()).filter(|i| is_odd(*i)).map(jump).collect()
+    (0..speeds.len()).filter(is_odd).collect()
+}
+
+/// Where no motion leads from one pose to the next, of poses in the order of their times.
+fn jumps(poses: &[Pose]) -> Vec<Jump> {
+    let times = sorted(poses.windows(2).map(|pair| pair[1].1 - pair[0].1));
+    let Some(period) = times.get(times.len() / 2).copied().filter(|_| poses.len() >= FEWEST) else {
+        return Vec::new();
+    };
+    let steps = |length: fn([f64; 3], [f64; 3]) -> f64, least: f64| {
+        let lengths: Vec<f64> = poses.windows(2).map(|pair| length(pair[0].2, pair[1].2)).collect();
+        // Times that jitter make no step faster than the usual time does.
+        let time = |pair: &[Pose]| (pair[1].1 - pair[0].1).max(period);
+        let speeds: Vec<f64> = poses.windows(2).zip(&lengths).map(|(pair, length)| length / time(pair)).collect();
+        odd(&lengths, &speeds, least)
+    };
+    let mut all = steps(|[x, y, _], [to_x, to_y, _]| libm::hypot(to_x - x, to_y - y), LEAST);
+    all.extend(steps(|[.., from], [.., to]| libm::remainder(to - from, TAU).abs(), LEAST_TURN));
+    all.sort_unstable();
+    all.dedup();
+    all.into_iter().map(|i| Jump { line: poses[i + 1].0, side: 0, from: 0.0, to: 0.0, gap: None }).collect()
 }
 
 impl File {
@@ -65,12 +82,22 @@ impl File {
         let number = |line: &Line<'_>, at: usize| row::number(line.fields.get(at)?.text).filter(|it| it.is_finite());
         let lines = self.lines(table).filter_map(Result::ok).filter(|line| source.is_read(line));
         let (mut rows, seconds) = (0.0, source.units[0].filter(|_| !source.is_date()));
+        let turned = at("heading");
+        let four = turned.filter(|(_, unit)| unit.name == QUATERNION);
+        let four = four.and_then(|(at, _)| quaternion::columns(&source.names, at));
+        let heading = |line: &Line<'_>| match four {
+            Some([x, y, z, w]) => {
+                let parts = [number(line, x)?, number(line, y)?, number(line, z)?, number(line, w)?];
+                quaternion::heading(parts).ok().flatten()
+            }
+            None => turned.and_then(|(at, unit)| Some(unit::convert(unit, number(line, at)?))),
+        };
         let poses = lines.filter_map(|line| {
             let [x, y] = [(number(&line, x.0)?, x.1), (number(&line, y.0)?, y.1)].map(|(it, u)| unit::convert(u, it));
             rows += 1.0;
             // Of dates the steps themselves are compared.
             let time = seconds.and_then(|unit| Some(unit::convert(unit, number(&line, time)?)));
-            Some((line.number, time.unwrap_or(rows), [x, y]))
+            Some((line.number, time.unwrap_or(rows), [x, y, heading(&line).unwrap_or(f64::NAN)]))
         });
         Jumps { range: None, odd: jumps(&poses.collect::<Vec<_>>()) }
     }
@@ -124,7 +151,7 @@ mod tests {
     #[test]
     fn a_pose_that_begins_anew_jumps_and_neither_a_gap_nor_a_start_does() {
         let of = |at: &dyn Fn(usize) -> Option<(f64, f64)>| {
-            let pose = |i: usize| at(i).map(|(time, x)| (i as u32 + 2, time, [x, 0.0]));
+            let pose = |i: usize| at(i).map(|(time, x)| (i as u32 + 2, time, [x, 0.0, 0.0]));
             jumps(&(0..100).filter_map(pose).collect::<Vec<_>>()).iter().map(|jump| jump.line).collect::<Vec<_>>()
         };
         let tenth = |i: usize| i as f64 / 10.0;
@@ -134,5 +161,13 @@ mod tests {
         assert_eq!(of(&|i| (!(40..80).contains(&i)).then(|| (tenth(i), tenth(i)))), [0; 0], "a gap");
         assert_eq!(of(&|i| (i != 40).then(|| (tenth(i), tenth(i)))), [0; 0], "a lost row");
         assert_eq!(of(&|i| Some((tenth(i), (i as f64 - 95.0).max(1e-3 * i as f64)))), [0; 0], "it stood, and drives");
+        // Set anew where it began, it turns back at once; and neither half a turn over ±180° nor a quick one does.
+        let turned = |of: &dyn Fn(f64) -> f64| {
+            let pose = |i: usize| (i as u32 + 2, tenth(i), [0.0, 0.0, of(tenth(i))]);
+            jumps(&(0..100).map(pose).collect::<Vec<_>>()).iter().map(|jump| jump.line).collect::<Vec<_>>()
+        };
+        assert_eq!(turned(&|t| 0.2 * if t < 5.05 { t } else { t - 5.1 }), [53]);
+        assert_eq!(turned(&|t| libm::remainder(t, TAU)), [0; 0]);
+        assert_eq!(turned(&|t| 0.01 * t + (3.0 * (t - 5.0)).clamp(0.0, 1.5)), [0; 0]);
     }
 }

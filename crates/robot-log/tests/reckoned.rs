@@ -101,3 +101,24 @@ fn odometry_that_begins_anew_makes_no_way_and_that_is_said() {
                 to that one.";
     assert!(read.notes.iter().any(|it| it == note), "{:?}", read.notes);
 }
+
+/// Odometry that begins anew where it was switched on before turns at once: its place says nothing of that.
+#[test]
+fn a_heading_that_begins_anew_makes_no_turn() {
+    let at = |k: u32| 0.02 * f64::from(if k < 60 { k } else { k - 60 });
+    let yaw: String = (0..100).map(|k| format!("{},0,0,{}\n", f64::from(k) * 0.05, at(k))).collect();
+    let parts = |theta: f64| format!("0,0,{},{}", (theta / 2.0).sin(), (theta / 2.0).cos());
+    let four: String = (0..100).map(|k| format!("{},0,0,{}\n", f64::from(k) * 0.05, parts(at(k)))).collect();
+    let named = "odom.orientation.x,odom.orientation.y,odom.orientation.z,odom.orientation.w";
+    for table in
+        [format!("t,odom_x,odom_y,odom_yaw_rad\n{yaw}"), format!("t,odom.position.x,odom.position.y,{named}\n{four}")]
+    {
+        let log = files(&[("run.csv", &table)]);
+        assert_eq!(roles(&log), [Role::Reckoned]);
+        let turn = |row: &Row| if let Event::Odometry { turn, .. } = row.event { turn } else { f64::NAN };
+        let turned: f64 = rows(&log).iter().map(turn).sum();
+        assert!((turned - 0.02 * 98.0).abs() < 1e-9, "{turned}");
+        let notes = log.read().expect("sound").notes;
+        assert!(notes.iter().any(|note| note.contains("the pose jumps at line 62,")), "{notes:?}");
+    }
+}
