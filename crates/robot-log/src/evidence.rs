@@ -163,7 +163,7 @@ fn between(values: &[f64]) -> Option<[f64; 2]> {
 }
 
 /// A number with three digits that count.
-fn short(number: f64) -> String {
+pub(crate) fn short(number: f64) -> String {
     let size = number.abs();
     // Half a unit below each power of ten the number is rounded up to it.
     let places = [99.95, 9.995, 0.9995, 0.09995].iter().filter(|least| size < **least).count();

@@ -207,6 +207,7 @@ impl Files {
         read.notes.extend(heights::note(&self.files, &read.log.drive));
         read.notes.extend(beside::note(&self.files));
         read.notes.extend(turning::note(&self.files));
+        read.notes.extend(turning::units(&self.files));
         read.notes.extend(beside::origins(&self.files));
         let unused = self.files.iter().filter(|file| file.role() == Role::Unused);
         read.notes.extend(unused.map(|file| format!("{}.", file.unused())));

@@ -1,8 +1,16 @@
 //! Whose turn rates a log takes: those of a gyro, where a file has one. What wheels say of the turn is left out then,
 //! since two turn rates would be held in turn; and a log moves by one kind of rows, so their ways become speeds.
 
+use crate::evidence::short;
 use crate::file::File;
+use crate::reading::LogReader;
 use crate::role::Role;
+use estimate::drive::Event;
+
+/// Over so long turns are compared, s: noise of a row is little beside them.
+const WINDOW: f64 = 1.0;
+/// What turns so many times as far is read in another unit: a radian has 57 degrees.
+const ANOTHER_UNIT: f64 = 20.0;
 
 /// The file of a gyro, of turn rates and no speed, where others say how the robot drove and turned.
 pub(crate) fn gyro(files: &[File]) -> Option<usize> {
@@ -33,5 +41,42 @@ pub(crate) fn note(files: &[File]) -> Option<String> {
         "The turn rate is that of {gyro} alone; of {} the speed is taken and the turn is not. To turn by the wheels, \
          {leave}.",
         others.join(" and ")
+    ))
+}
+
+/// How far the robot of a file turns in a second, rad: the root of the mean square. `None` where it cannot be read.
+fn in_a_second(file: &File) -> Option<f64> {
+    let mut reading = LogReader::default();
+    file.rows(0, |cells| reading.take(file.role(), cells)).ok()?;
+    let (mut sum, mut count, mut turned, mut held) = (0.0, 0.0, 0.0, 0.0);
+    let (mut from, mut last) = (None, None);
+    for row in reading.to.rows().iter().filter(|row| row.event.is_motion()) {
+        turned += held * (row.time - last.replace(row.time).unwrap_or(row.time));
+        match row.event {
+            Event::Odometry { turn, .. } => turned += turn,
+            Event::Velocity { omega, .. } | Event::TurnRate { omega } => held = omega,
+            _ => {}
+        }
+        if row.time - *from.get_or_insert(row.time) >= WINDOW {
+            (sum, count, turned, from) = (sum + turned * turned, count + 1.0, 0.0, Some(row.time));
+        }
+    }
+    (count > 0.0).then(|| libm::sqrt(sum / count))
+}
+
+/// What is said of a gyro and of wheels that turn so differently that one of them is read in another unit.
+pub(crate) fn units(files: &[File]) -> Option<String> {
+    let gyro = &files[gyro(files)?];
+    let far = in_a_second(gyro)?;
+    let others = files.iter().filter(|file| drives(file)).filter_map(|file| Some((file, in_a_second(file)?)));
+    let apart = |(_, other): &(&File, f64)| *other > ANOTHER_UNIT * far || far > ANOTHER_UNIT * *other;
+    let (wheels, other) = others.filter(|(_, other)| far > 0.0 && *other > 0.0).find(apart)?;
+    let degrees = |turned: f64| short(turned.to_degrees());
+    Some(format!(
+        "{} turns by {}\u{b0} in a second as a rule, and {} by {}\u{b0}: one of them may be in another unit.",
+        gyro.name(),
+        degrees(far),
+        wheels.name(),
+        degrees(other)
     ))
 }

@@ -197,3 +197,27 @@ fn a_place_beside_wheels_is_asked_about() {
         assert_eq!(read, roles, "{header}");
     }
 }
+
+/// A gyro in rad/s whose column says degrees turns 57 times too little.
+#[test]
+fn a_gyro_in_another_unit_than_its_wheels_is_said() {
+    let gyro = |unit: &str, times: f64| {
+        let rate = |k: u32| times * if k % 100 < 50 { 0.4 } else { -0.3 };
+        let rows: String = (0..400).map(|k| format!("{},{}\n", f64::from(k) * 0.02, rate(k))).collect();
+        format!("time_s,gyro_z_{unit}\n{rows}")
+    };
+    let left = |k: u32| 1.0 - 0.5 * if k % 40 < 20 { 0.4 } else { -0.3 };
+    let rows: String = (0..160).map(|k| format!("{},{},1\n", f64::from(k) * 0.05, left(k))).collect();
+    let wheels = format!("t,v_left_mps,v_right_mps\n{rows}");
+    let said = |gyro: &str| {
+        let mut both = files(&[("gyro.csv", gyro), ("wheels.csv", &wheels)]);
+        assert!(both.set_wheel(1, "base", 0.5));
+        let notes = both.read().expect("sound").notes;
+        notes.into_iter().find(|note| note.contains("another unit"))
+    };
+    assert_eq!(said(&gyro("radps", 1.0)), None);
+    assert_eq!(said(&gyro("dps", 180.0 / core::f64::consts::PI)), None);
+    let wrong = said(&gyro("dps", 1.0)).expect("it is said");
+    assert!(wrong.starts_with("gyro.csv turns by 0.36"), "{wrong}");
+    assert!(wrong.contains("\u{b0} in a second as a rule, and wheels.csv by 20"), "{wrong}");
+}
