@@ -36,10 +36,11 @@ pub(crate) fn by_itself(round: &mut Round, drive: &Drive, scope: &Scope) -> Resu
     let both = alone.gain + anew.found.first().map_or(0.0, |(it, _)| it.gain);
     let much = both - sigma.gain - (alone.gain - alone.excess) >= CLEAR;
     if much {
-        if let Some(claimed) = beside_claims(round, drive, scope, (at, both))? {
-            round.found[at] = claimed;
-        }
-        round.found[..=at].rotate_right(1);
+        let claimed = beside_claims(round, drive, scope, (at, both))?;
+        let first = round.found.remove(at);
+        let first = claimed.unwrap_or(first);
+        round.found.retain(|(suspect, _)| suspect.tried() != first.0.tried());
+        round.found.insert(0, first);
     }
     Ok(much)
 }
