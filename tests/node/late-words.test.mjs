@@ -24,6 +24,8 @@ test('sensors of one receiver are late together, or one alone, and motion that i
     ['late', undefined, undefined],
   )
   assert.equal(said([suspect({ name: 'delayTurn' })], false), undefined)
+  // What has no size is no delay.
+  assert.equal(said([suspect({ fault: 'mirrored', name: null, sizes: [] })], false), undefined)
   assert.match(both([size, { ...size, now: 0.1, value: 0.5 }]), /set their delays to 0\.400 s and 0\.500 s\./)
   assert.match(both([size, size, size]), /^The readings come together .* set all their delays to 0\.400 s\./)
   const turn = suspect({ name: 'delayTurn', sizes: [{ now: 0, value: -0.38, sigma: 0.036 }] })

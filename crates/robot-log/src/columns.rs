@@ -183,6 +183,8 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
     let most = numbers.iter().filter(|number| number.is_finite()).fold(0.0_f64, |most, it| most.max(it.abs()));
     let usual = |name| named(value.quantity, name);
     let down = clockwise(&source.names, file);
+    // Far from a full turn at first, a heading may pass it later on; and who stands at first turns then.
+    let whole = || table.column(text, column).filter_map(|(_, text)| number(text)).filter(|it| it.is_finite());
     match value.quantity {
         Quantity::Number => None,
         Quantity::Time => {
@@ -230,7 +232,7 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
                 Some(unit) => unit.name == "deg/s",
                 None if most > 20.0 => true,
                 // Faster than half a turn in a second: few robots are, and degrees may be meant.
-                None if most > 3.5 => return None,
+                None if whole().fold(most, |most, it| most.max(it.abs())) > 3.5 => return None,
                 None => false,
             };
             usual(match (degrees, down) {
@@ -252,12 +254,9 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             let has_latitude = !candidates("latitude", Quantity::Coordinate, &source.names).is_empty();
             // What a robot reckons has nothing to do with them.
             let global = has_latitude && source.role != Role::Reckoned;
-            // Far from a full turn at first, a heading may pass it later on.
-            let all = table.lines(text).filter_map(Result::ok).filter_map(|line| number(line.fields.get(column)?.text));
-            let finite = all.filter(|it| it.is_finite());
             // Phones write -1 where they know none.
-            let (furthest, below) =
-                finite.fold((most, false), |(most, below), it| (most.max(it.abs()), below || (it < 0.0 && it != -1.0)));
+            let (furthest, below) = whole()
+                .fold((most, false), |(most, below), it| (most.max(it.abs()), below || (it < 0.0 && it != -1.0)));
             let of = [down, global, captured(&source.names, file), below];
             heading::unit(name, said, [most, furthest], of).and_then(usual)
         }

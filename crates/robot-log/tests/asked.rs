@@ -190,3 +190,17 @@ fn a_heading_in_radians_beside_latitudes_is_asked_where_it_begins() {
     let course = truth.replace("true_heading_rad", "course_rad");
     assert!(files(&[("wheels.csv", &wheels(false)), ("truth.csv", &course)]).read().is_ok());
 }
+
+/// A robot that stands at first turns later on: what its gyro reads is looked at to the end.
+#[test]
+fn a_turn_rate_that_is_too_fast_for_radians_is_asked_wherever_it_stands() {
+    let rows = |most: f64| -> String {
+        (0..2000).map(|k| format!("{},1,{}\n", f64::from(k) * 0.02, if k < 1500 { 0.01 } else { most })).collect()
+    };
+    for (most, asked) in [(2.0, false), (9.0, true)] {
+        let mut files = Files::default();
+        files.add("motion.csv", &format!("t,v,gyro_z\n{}", rows(most))).expect("a table");
+        let asks = files.files()[0].asks();
+        assert_eq!(asks == ["In which unit is \u{201c}gyro_z\u{201d}?"], asked, "{most}: {asks:?}");
+    }
+}

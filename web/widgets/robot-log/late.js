@@ -51,8 +51,9 @@ const READ = ['delayFix', 'delayHeading', 'delaySighting']
 export function asMotion({ fault, name, with: other, sizes: [size] }, suspects) {
   const sensors = suspects.filter((one) => one.fault === 'clock' && !one.with && READ.includes(one.name ?? ''))
   const all = other !== null || (sensors.length === 1 && READ.includes(name ?? ''))
+  if (fault !== 'clock' || !all) return ''
   const way = size.value < size.now ? 'late' : 'early'
-  return fault === 'clock' && all ? `That all of the motion comes as ${way} would look the same.` : ''
+  return `That all of the motion comes as ${way} would look the same.`
 }
 
 /** Between these parts of a step a delay is about half of it. */

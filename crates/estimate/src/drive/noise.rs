@@ -15,10 +15,9 @@ const FEWEST: usize = 20;
 const CHANCE: f64 = 0.001;
 /// A part stands out where NIS, or the share that is refused, is so many times that of the others.
 const TIMES: f64 = 1.5;
-/// A share stands out by so many of its standard deviations.
-const DEVIATIONS: f64 = 5.0;
 /// Innovations are correlated by so much, and by so many standard deviations of chance.
 const LEAST: f64 = 0.1;
+const DEVIATIONS: f64 = 5.0;
 
 /// A stretch of a log that stands out, seconds since its first row, with what it has there and elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,8 +76,9 @@ pub(crate) fn noise(drive: &Drive, readings: &[Weighed]) -> Noise {
     let (out, all) = refused(readings);
     let share = out / all;
     let many = |(count, of): (f64, f64)| {
-        let expected = share * of;
-        count > 0.0 && count - expected > DEVIATIONS * libm::sqrt(expected * (1.0 - share))
+        // So many of a Poisson distribution: P(X ≥ n) = P(χ²₂ₙ < 2m).
+        let chance = chi2_quantile(2 * count as u32, CHANCE / parts.len() as f64);
+        count > 0.0 && chance.is_ok_and(|quantile| 2.0 * share * of < quantile)
     };
     Noise {
         nis: standing_out(drive, &parts, used, wild),

@@ -115,10 +115,10 @@ impl Tried {
         }
     }
 
-    /// Whether it is a factor, on what readings claim or on what they read, which may be far from one.
+    /// Whether it is a σ, or a factor on what is read, either of which may be wrong many times over.
     pub fn is_far(self) -> bool {
         matches!(self.fault(), Fault::Scale | Fault::Odometry | Fault::TurnScale)
-            || self.numbers().iter().any(|number| number.claimed_by().is_some())
+            || self.numbers().iter().any(|number| number.is_sigma())
     }
 
     /// Whether readings come at other times: they are in another order, and not all replays have the same ones.
