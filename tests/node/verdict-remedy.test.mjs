@@ -193,6 +193,8 @@ test('Fit says what the verdict names and it does not look for', () => {
   assert.match(mendBefore(judgement([start])), /names another start, which Fit does not look for: mend that before/)
   const bias = suspect({ fault: 'bias', name: 'turnBias', sizes: [size(0.01, 0.001)] })
   assert.match(mendBefore(judgement([bias])), /names a bias of the turn rate/)
+  const tails = suspect({ fault: 'tails', name: 'sigmaRange', sensor: 'range', sizes: [] })
+  assert.match(mendBefore(judgement([tails])), /names a share of outliers among the ranges, which Fit does not/)
   assert.equal(mendBefore(judgement([suspect({})])), '', 'a delay is among what it finds')
   assert.equal(mendBefore(judgement([{ ...start, standing: 'cleared' }])), '')
   assert.equal(mendBefore(null), '')

@@ -43,7 +43,8 @@ export function mendBefore(judgement) {
   const [fault] = judgement ? [...named(judgement), ...likeliest(judgement)] : []
   if (fault && cutsFirst(judgement?.gaps ?? []))
     return 'No motion is read for a while, as the verdict says: cut the log there before, or σ and delays mean nothing.'
-  if (!fault || NAMES[fault.name ?? '']) return ''
+  // Behind a gate outliers have a σ of their own, and Fit finds that; what seems to be one may be a landmark elsewhere.
+  if (!fault || (fault.fault !== 'tails' && NAMES[fault.name ?? ''])) return ''
   return (
     `The verdict names ${kind(fault)}, which Fit does not look for: mend that before, or it makes ` +
     'each σ come out too large.'

@@ -6,6 +6,7 @@ import {
   bentBy,
   stayingBy,
   delaysAreOfModel,
+  isAsSet,
   isOfModel,
   mendBefore,
   rises,
@@ -16,7 +17,12 @@ import {
 } from './log-fit-words.js'
 
 /** @typedef {import('estimate-wasm').LogFound} LogFound */
-/** @typedef {{ fit: () => Promise<any>, stop: () => void, take: (patch: Record<string, unknown>) => void }} Orders */
+/**
+ * @typedef {object} Orders
+ * @property {(only?: string[]) => Promise<any>} fit
+ * @property {() => void} stop
+ * @property {(patch: Record<string, unknown>) => void} take
+ */
 
 /** @param {string} words */
 function line(words) {
@@ -100,13 +106,14 @@ export class FitForm {
     this.bar.value = done
   }
 
-  async fit() {
+  /** @param {string[]} [only] what it looks for, where that is not all */
+  async fit(only) {
     const { result } = this
     if (!result) return
     this.wait(true)
     this.of = ''
     result.textContent = ''
-    const answer = await this.orders.fit()
+    const answer = await this.orders.fit(only)
     // What is taken depends on the verdict, too.
     if (this.judging) await new Promise((resolve) => (this.judged = () => resolve(undefined)))
     if (result !== this.result) return // Another log has come.
@@ -135,9 +142,16 @@ export class FitForm {
       part(document, list, 'li', '').textContent = `${sentence(number, motion)}${stays(number)}`
     const taken = numbers.filter((one) => one.sigma !== null && !isOfModel(one, motion.ownDelay) && !stays(one))
     if (taken.length === 0) return
+    const actions = part(document, result, 'div', 'log-actions')
+    // What was found beside a number that stays does not hold without it.
+    const held = (/** @type {LogFound['numbers'][number]} */ one) => stays(one) && !isAsSet(one, this.params ?? {})
+    if (numbers.some((one) => held(one) && !isOfModel(one, motion.ownDelay))) {
+      const others = numbers.filter((one) => !held(one)).map(({ name }) => name)
+      button(document, actions, 'Fit the others without these', () => this.fit(others))
+      return
+    }
     // What the log does not tell stays, where what was found beside it holds with it.
     const patch = rounded([...taken, ...untold(numbers, this.params ?? {})])
-    const actions = part(document, result, 'div', 'log-actions')
     button(document, actions, 'Take what the log tells', () => {
       this.taking = true
       this.orders.take(patch)

@@ -59,11 +59,12 @@ export class Forms {
       running.smooth()
       this.follow()
     }
-    const fit = async () => {
+    /** @param {string[]} [only] */
+    const fit = async (only) => {
       const running = await run()
       if (!this.isRead()) return { kind: 'none', message: 'No reading is used: tick “used” beside a sensor first.' }
       running.onfitting = (told) => this.fit.progress(told)
-      return running.fit()
+      return running.fit({ only })
     }
     /**
      * Finds several σ together, whatever outliers there are behind a gate.
