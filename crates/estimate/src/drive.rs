@@ -62,6 +62,7 @@ mod weight;
 
 pub use crate::scaled::{FIRST_SIGMA, HasPose, PoseAndScale, RangeFirst, Scaled};
 pub use course::Course;
+pub use diluted::squared_turn;
 pub use evidence::Against;
 pub use fault::Fault;
 pub use fit::Fit;

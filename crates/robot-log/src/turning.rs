@@ -5,7 +5,7 @@ use crate::evidence::short;
 use crate::file::File;
 use crate::reading::LogReader;
 use crate::role::Role;
-use estimate::drive::Event;
+use estimate::drive::squared_turn;
 
 /// Over so long turns are compared, s: noise of a row is little beside them.
 const WINDOW: f64 = 1.0;
@@ -48,20 +48,7 @@ pub(crate) fn note(files: &[File]) -> Option<String> {
 fn in_a_second(file: &File) -> Option<f64> {
     let mut reading = LogReader::default();
     file.rows(0, |cells| reading.take(file.role(), cells)).ok()?;
-    let (mut sum, mut count, mut turned, mut held) = (0.0, 0.0, 0.0, 0.0);
-    let (mut from, mut last) = (None, None);
-    for row in reading.to.rows().iter().filter(|row| row.event.is_motion()) {
-        turned += held * (row.time - last.replace(row.time).unwrap_or(row.time));
-        match row.event {
-            Event::Odometry { turn, .. } => turned += turn,
-            Event::Velocity { omega, .. } | Event::TurnRate { omega } => held = omega,
-            _ => {}
-        }
-        if row.time - *from.get_or_insert(row.time) >= WINDOW {
-            (sum, count, turned, from) = (sum + turned * turned, count + 1.0, 0.0, Some(row.time));
-        }
-    }
-    (count > 0.0).then(|| libm::sqrt(sum / count))
+    Some(libm::sqrt(squared_turn(reading.to.rows(), WINDOW)))
 }
 
 /// What is said of a gyro and of wheels that turn so differently that one of them is read in another unit.

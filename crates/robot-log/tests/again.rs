@@ -1,13 +1,10 @@
 //! A table that holds the motion, ranges and positions of a robot is read once for each.
 
-use estimate::drive::Event;
-use robot_log::{Counting, Files, Role};
+mod opened;
 
-fn files(all: &[(&str, &str)]) -> Files {
-    let mut files = Files::default();
-    all.iter().for_each(|(name, text)| files.add(name, text).expect(name));
-    files
-}
+use estimate::drive::Event;
+use opened::files;
+use robot_log::{Counting, Files, Role};
 
 /// What each file is called, is read as, and is another reading of.
 fn read_as(files: &Files) -> Vec<(&str, Role, Option<usize>)> {

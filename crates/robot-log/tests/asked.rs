@@ -1,12 +1,9 @@
 //! What is said first of files that make no log yet: what is missing, what is wrong in a row, and then what is asked.
 
-use robot_log::{Counting, Error, Files, Role};
+mod opened;
 
-fn files(all: &[(&str, &str)]) -> Files {
-    let mut files = Files::default();
-    all.iter().for_each(|(name, text)| files.add(name, text).expect(name));
-    files
-}
+use opened::files;
+use robot_log::{Counting, Error, Files, Role};
 
 fn library(name: &str) -> Files {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/logs");

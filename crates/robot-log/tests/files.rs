@@ -1,7 +1,10 @@
 //! Logs as others write them: what is guessed, what is read, and where a fault is. The files are made up.
 
+mod opened;
+
 use estimate::Landmark;
 use estimate::drive::{Event, Motion};
+use opened::files;
 use proptest::prelude::*;
 
 #[path = "../../../tests/src/draws.rs"]
@@ -39,14 +42,6 @@ const MRCLAM: [(&str, &str); 5] = [
          1248272262.9 \t 0.10 \t 0.20 \t 0.300\n1248272264.1 \t 0.20 \t 0.20 \t 0.400\n",
     ),
 ];
-
-fn files(of: &[(&str, &str)]) -> Files {
-    let mut files = Files::default();
-    for (name, text) in of {
-        files.add(name, text).expect(name);
-    }
-    files
-}
 
 fn roles(files: &Files) -> Vec<Role> {
     files.files().iter().map(robot_log::File::role).collect()

@@ -1,7 +1,10 @@
 //! What files hold that would be read wrong in silence: counters that wrap, rows of two robots, variances, and ranges
 //! by which a sensor says that it has none.
 
+mod opened;
+
 use estimate::drive::Event;
+use opened::files;
 use robot_log::{Counting, Files, Frame, Role, Understood};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/logs");
@@ -10,12 +13,6 @@ const WHEELS: &str = "time,v,omega\n0,1,0\n1,1,0\n";
 fn library(name: &str) -> Files {
     let text = std::fs::read_to_string(format!("{FOLDER}/{name}")).expect(name);
     files(&[(name, &text)])
-}
-
-fn files(all: &[(&str, &str)]) -> Files {
-    let mut files = Files::default();
-    all.iter().for_each(|(name, text)| files.add(name, text).expect(name));
-    files
 }
 
 fn with(mut files: Files, others: &[(&str, &str)]) -> Files {

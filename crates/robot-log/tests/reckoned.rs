@@ -1,13 +1,10 @@
 //! Odometry that is written as poses: from one to the next the robot has driven an arc.
 
-use estimate::drive::{Event, Row};
-use robot_log::{Files, Role};
+mod opened;
 
-fn files(all: &[(&str, &str)]) -> Files {
-    let mut files = Files::default();
-    all.iter().for_each(|(name, text)| files.add(name, text).expect(name));
-    files
-}
+use estimate::drive::{Event, Row};
+use opened::files;
+use robot_log::{Files, Role};
 
 fn rows(files: &Files) -> Vec<Row> {
     files.read().expect("sound").log.drive.rows

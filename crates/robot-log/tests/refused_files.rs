@@ -1,14 +1,9 @@
 //! Files that are no log, each refused where it is wrong.
 
-use robot_log::{Error, Files};
+mod opened;
 
-fn files(of: &[(&str, &str)]) -> Files {
-    let mut files = Files::default();
-    for (name, text) in of {
-        files.add(name, text).expect(name);
-    }
-    files
-}
+use opened::files;
+use robot_log::{Error, Files};
 
 /// Refused in this file at this line and character, with these words.
 fn assert_refused(files: &Files, file: usize, at: [u32; 2], words: &str) {

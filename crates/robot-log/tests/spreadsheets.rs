@@ -1,16 +1,11 @@
 //! Tables as spreadsheets and other programs write them: decimal commas, other line ends, empty files, units that
 //! nobody names. Each is read as it was meant, or refused with words that say what to do.
 
-use estimate::drive::Event;
-use robot_log::{Files, Role, Understood};
+mod opened;
 
-fn files(of: &[(&str, &str)]) -> Files {
-    let mut files = Files::default();
-    for (name, text) in of {
-        files.add(name, text).expect(name);
-    }
-    files
-}
+use estimate::drive::Event;
+use opened::files;
+use robot_log::{Files, Role, Understood};
 
 fn read(of: &[(&str, &str)]) -> Understood {
     files(of).read().expect("sound")

@@ -1,18 +1,15 @@
 //! What a reader is told of files that can be read and would mislead: gaps, doubled rows, two runs in one file, two
 //! speeds, and ranges whose columns are called as the landmarks.
 
+mod opened;
+
 use estimate::Landmark;
 use estimate::drive::Event;
+use opened::files;
 use robot_log::{Files, Role, Understood};
 use std::fmt::Write;
 
 const FIXES: &str = "t,gps_x,gps_y\n0,0,0\n5,5,0\n";
-
-fn files(all: &[(&str, &str)]) -> Files {
-    let mut files = Files::default();
-    all.iter().for_each(|(name, text)| files.add(name, text).expect(name));
-    files
-}
 
 /// A table with a row for each of these times.
 fn table(head: &str, times: impl IntoIterator<Item = f64>, rest: &str) -> String {

@@ -1,15 +1,12 @@
 //! A gyro beside wheels: its turn rates are taken and theirs are not, and their way becomes a speed.
 
+mod opened;
+
 use estimate::drive::{Event, Row};
+use opened::files;
 use robot_log::{Counting, Files, Role};
 
 const GYRO: (&str, &str) = ("gyro.csv", "time_s,gyro_z_radps\n0.05,0.3\n0.15,0.31\n0.25,0.32\n");
-
-fn files(all: &[(&str, &str)]) -> Files {
-    let mut files = Files::default();
-    all.iter().for_each(|(name, text)| files.add(name, text).expect(name));
-    files
-}
 
 fn rows(files: &Files) -> Vec<Row> {
     files.read().expect("sound").log.drive.rows

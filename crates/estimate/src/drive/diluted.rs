@@ -28,11 +28,22 @@ fn shortest(drive: &Drive) -> f64 {
     }
 }
 
-/// The mean square of the turn of so long a time that is read, rad².
-fn squared(drive: &Drive, window: f64) -> f64 {
+/// The mean square of the turn that rows of motion read in so long a time: rad², 0 where they are shorter than that.
+///
+/// Of windows of `window` seconds from row to row, Σ(Δθ)²/n with Δθ the sum of the turns that odometry reads and of the
+/// turn rates, each held until the next row.
+///
+/// # Example
+/// ```
+/// use estimate::drive::{Event, Row, squared_turn};
+/// let turns = |k: i32| Row::new(0.1 * f64::from(k), Event::TurnRate { omega: 0.2 });
+/// let rows: Vec<Row> = (0..50).map(turns).collect();
+/// assert!((squared_turn(&rows, 1.0) - 0.04).abs() < 1e-9);
+/// ```
+pub fn squared_turn(rows: &[Row], window: f64) -> f64 {
     let (mut sum, mut count, mut turned, mut from) = (0.0, 0.0, 0.0, None::<f64>);
     let (mut held, mut last) = (0.0, None::<f64>);
-    for row in drive.rows.iter().filter(|row| row.event.is_motion()) {
+    for row in rows.iter().filter(|row| row.event.is_motion()) {
         let began = *from.get_or_insert(row.time);
         turned += held * (row.time - last.replace(row.time).unwrap_or(row.time));
         match row.event {
@@ -49,7 +60,7 @@ fn squared(drive: &Drive, window: f64) -> f64 {
 
 /// Which part of the square of what is read is noise, of which each second has σ².
 fn part(noise: f64, drive: &Drive, window: f64) -> f64 {
-    let squared = squared(drive, window);
+    let squared = squared_turn(&drive.rows, window);
     if squared > 0.0 { (noise * noise * window / squared).min(1.0) } else { 0.0 }
 }
 
@@ -113,11 +124,11 @@ mod tests {
             |motion| Drive { landmarks: Vec::new(), truth: Truth::default(), rows: (0..9).map(row).collect(), motion };
         // The first second has the turn of the row that it begins with, too.
         let wanted = (0.25 * 0.25 + 0.2 * 0.2) / 2.0;
-        assert!((squared(&of(Motion::Odometry), WINDOW) - wanted).abs() < 1e-12);
+        assert!((squared_turn(&of(Motion::Odometry).rows, WINDOW) - wanted).abs() < 1e-12);
         let rates = |k: i32| Row::new(0.25 * f64::from(k), Event::Velocity { v: 1.0, omega: 0.2 });
         let held = Drive { rows: (0..9).map(rates).collect(), ..of(Motion::Velocity) };
-        assert!((squared(&held, WINDOW) - 0.04).abs() < 1e-12, "{}", squared(&held, WINDOW));
+        assert!((squared_turn(&held.rows, WINDOW) - 0.04).abs() < 1e-12, "{}", squared_turn(&held.rows, WINDOW));
         let none = Drive { rows: Vec::new(), ..of(Motion::Velocity) };
-        assert_eq!(squared(&none, WINDOW), 0.0);
+        assert_eq!(squared_turn(&none.rows, WINDOW), 0.0);
     }
 }
