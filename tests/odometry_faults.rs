@@ -76,3 +76,52 @@ fn noise_in_the_turns_that_are_read_is_counted_by_the_size() {
     }
     assert!(within >= 7 && told >= 5, "{within} of 8 within two of the ±, {told} said");
 }
+
+/// Wheels of two sizes: on each metre the robot turns by an angle that is not read.
+fn unequal(mut log: Log, swerve: f64) -> Log {
+    for row in &mut log.drive.rows {
+        match &mut row.event {
+            Event::Odometry { distance, turn } => *turn -= swerve * *distance,
+            Event::Velocity { v, omega } => *omega -= swerve * *v,
+            _ => {}
+        }
+    }
+    log
+}
+
+#[test]
+fn wheels_of_two_sizes_are_named_with_the_turn_of_a_metre() {
+    for name in ["mower", "car", "compass"] {
+        let world = WORLDS.iter().find(|world| world.name == name).expect("a world");
+        for (n, swerve) in [(0, 0.04), (1, -0.03)] {
+            let log = world.sound(9700 + n, n.is_multiple_of(2));
+            let first = judged(&unequal(log.clone(), swerve)).expect("a verdict").suspects.remove(0);
+            assert_eq!((first.fault, first.standing), (Fault::UnequalWheels, Standing::Sure), "{name}: {first:?}");
+            let size = first.sizes[0];
+            assert!((size.value - swerve).abs() < 3.0 * size.sigma && size.sigma < 0.005, "{name}: {size:?}");
+            // Mended so, nothing of the kind is left.
+            let again = judged(&unequal(log, swerve - size.value)).expect("a verdict");
+            let left = again.suspects.iter().find(|it| it.fault == Fault::UnequalWheels);
+            assert!(left.is_none_or(|it| it.standing == Standing::Cleared), "{name}: {left:?}");
+        }
+    }
+}
+
+/// At a speed that hardly changes, the turn of a metre is the bias of a second, and the simpler of the two is named.
+#[test]
+fn a_bias_of_the_turn_rate_is_none_of_the_wheels() {
+    for n in 0..4 {
+        for name in ["beacons", "camera"] {
+            let world = WORLDS.iter().find(|world| world.name == name).expect("a world");
+            let mut log = world.sound(9800 + n, n.is_multiple_of(2));
+            for row in &mut log.drive.rows {
+                if let Event::Velocity { omega, .. } = &mut row.event {
+                    *omega += 0.04;
+                }
+            }
+            let judgement = judged(&log).expect("a verdict");
+            assert_eq!(judgement.suspects[0].fault, Fault::Bias, "{name} {n}: {:?}", judgement.suspects[0]);
+            assert!(judgement.suspects.iter().all(|it| it.fault != Fault::UnequalWheels), "{name} {n}");
+        }
+    }
+}

@@ -139,6 +139,8 @@ test('what robot_localization has to be told otherwise is said: a true start, an
     said({ motion: 'velocity', corrections: { driven: [1, 0.96] } }),
     /# Multiply turn rates by 0\.96 before/,
   )
+  const unequal = said({ motion: 'velocity', corrections: { driven: [1, 1], swerve: -0.04 } })
+  assert.match(unequal, /# Then add -0\.04 times its metres to each turn of the wheels/)
 })
 
 /** What robot_localization’s ekf_node declares in its documentation: without a sensor’s number. */

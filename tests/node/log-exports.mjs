@@ -130,6 +130,8 @@ export const logClasses = (lab) => ({
         ]),
         dice.pick([[], [[1, 2, 3]]]),
         dice.pick([undefined, [[1, 0.4]]]),
+        dice.pick([undefined, null, [1, 9]]),
+        dice.pick([undefined, 0.04]),
       ],
       read: () => [],
     },

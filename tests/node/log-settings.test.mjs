@@ -74,11 +74,12 @@ test('what is read otherwise than the files have it is written and read again, o
   const none = JSON.parse(settingsText({}, files.files(), of()))
   assert.ok(!('corrections' in none), 'nothing is corrected')
   /** @type {import('estimate-wasm').LogCorrections} */
-  const corrections = { driven: [0.97, 1.01], landmarks: [[3, 1.5, 2]], ranges: [[3, 0.4]] }
+  const corrections = { driven: [0.97, 1.01], landmarks: [[3, 1.5, 2]], ranges: [[3, 0.4]], swerve: 0.04 }
   applyChange(files, { corrections })
   const contents = of()
   assert.deepEqual(contents.landmarks, [{ id: 3, x: 1.5, y: 2 }])
   assert.ok(contents.notes.includes('Landmark 3 is taken at (1.50, 2.00) m, and not at (1.00, 2.00) m.'))
+  assert.ok(contents.notes.includes('On each metre 2.292° more to the left is turned than is read.'))
   const settings = readSettings(settingsText({}, files.files(), contents), known)
   assert.deepEqual(settings.corrections, corrections)
   // Rows that the page has written say that they have them already, and are rows as before.
@@ -96,6 +97,7 @@ test('what is read otherwise than the files have it is written and read again, o
     { ...corrections, landmarks: [[0.5, 1, 1]] },
     { ...corrections, ranges: [[3]] },
     { ...corrections, ranges: [[-1, 0.4]] },
+    { ...corrections, swerve: '0' },
     { ...corrections, x: 1 },
   ])
     assert.throws(() => readSettings(JSON.stringify({ ...none, corrections: wrong }), known), /corrections are not/)

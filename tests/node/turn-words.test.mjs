@@ -88,3 +88,31 @@ test('behind a gate the σ of the motion are said where nothing is to be pressed
   }
   assert.doesNotMatch(unsettledWords(judgement([suspect({}), ...motion]), set, known), /unseen/)
 })
+
+test('wheels of two sizes are said by the turn of a metre, its side and the wheel that is larger', () => {
+  const said = (/** @type {number} */ value, end = false) =>
+    sentence(
+      suspect({ fault: 'unequal-wheels', name: null, sizes: [{ now: 0, value, sigma: 0.0012, end }] }),
+      false,
+      log,
+    )
+  assert.equal(
+    said(0.0404),
+    'The robot turns 2.315 ± 0.069° more to the left on each metre than is read: take the turns so. ' +
+      'A right wheel that is larger than the left by 4.04 % for each metre between the two does the same.',
+  )
+  assert.match(said(-0.0404), /more to the right .* A left wheel that is larger than the right by 4\.04 %/)
+  assert.match(said(1, true), /^The robot turns more than 57° more to the left .*: mend the sizes of its wheels/)
+})
+
+test('the turn of a metre is added to that of before, which is counted in its turns and metres', () => {
+  const before = { ...log, corrections: { ...corrections, swerve: 0.01 } }
+  const press = (/** @type {any} */ given) => remedy(suspect({ name: null, ...given }), params, false, before)
+  const unequal = { fault: 'unequal-wheels', sizes: [{ now: 0, value: 0.0404, sigma: 0.0012, end: false }] }
+  const turned = press(unequal)?.corrections?.swerve ?? 0
+  assert.ok(Math.abs(turned - 0.01 - (2.315 / 180) * Math.PI) < 1e-9, `${turned}`)
+  const sizes = [-0.0301, 0.0123].map((value) => ({ now: 0, value, sigma: 0.0021, end: false }))
+  const counted = press({ fault: 'odometry', sizes })?.corrections?.swerve ?? 0
+  assert.ok(Math.abs(counted - (0.01 * 1.0123) / 0.9699) < 1e-9, `${counted}`)
+  assert.equal(press({ ...unequal, sizes: [{ ...unequal.sizes[0], end: true }] }), null, 'not found')
+})

@@ -34,17 +34,18 @@ export const isCorrected = ({ corrections }) => !sameCorrections(corrections, NO
 
 /**
  * The numbers in lists, as a file has them; landmarks by their numbers, and a part where not all of the log is read.
- * Files of before have no ranges.
+ * Files of before have no ranges, and no turn for each metre where there is none.
  * @param {Omit<Corrections, 'ranges'> & Partial<Corrections>} corrections @returns {Corrections}
  */
-export function plain({ driven: [far, much], landmarks, ranges = [], kept }) {
+export function plain({ driven: [far, much], landmarks, ranges = [], kept, swerve = 0 }) {
   const places = landmarks.map(([id, x, y]) => /** @type {[number, number, number]} */ ([id, x, y]))
   const shorter = ranges.map(([id, by]) => /** @type {[number, number]} */ ([id, by]))
   /** @param {number[]} one @param {number[]} other */
   const byId = ([one], [other]) => one - other
   const all = { driven: /** @type {[number, number]} */ ([far, much]), landmarks: places.sort(byId) }
   const part = kept ? { kept: /** @type {[number, number]} */ ([...kept]) } : {}
-  return { ...all, ranges: shorter.sort(byId), ...part }
+  const aside = swerve !== 0 ? { swerve } : {}
+  return { ...all, ...aside, ranges: shorter.sort(byId), ...part }
 }
 
 /** Whether a file’s value is a list of so many numbers. @param {unknown} value @param {number} count */
@@ -52,11 +53,11 @@ export const numbers = (value, count) => Array.isArray(value) && value.length ==
 
 /** Whether a file’s value is such corrections. @param {any} value */
 export function areCorrections(value) {
-  const { driven, landmarks, ranges = [], kept = null, ...others } = value ?? {}
+  const { driven, landmarks, ranges = [], kept = null, swerve = 0, ...others } = value ?? {}
   const factors = numbers(driven, 2) && driven.every((/** @type {number} */ one) => one > 0)
   const id = (/** @type {number[]} */ [one]) => Number.isInteger(one) && one >= 0
   const places = Array.isArray(landmarks) && landmarks.every((place) => numbers(place, 3) && id(place))
   const shorter = Array.isArray(ranges) && ranges.every((pair) => numbers(pair, 2) && id(pair))
   const part = kept === null || (numbers(kept, 2) && kept[0] < kept[1])
-  return factors && places && shorter && part && Object.keys(others).length === 0
+  return factors && Number.isFinite(swerve) && places && shorter && part && Object.keys(others).length === 0
 }

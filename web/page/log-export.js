@@ -52,10 +52,19 @@ const scaled = (own, factor) =>
 
 /** What the page reads otherwise than the files have it. @param {LogContents} contents */
 function corrected({ corrections, motion }) {
-  const [far, much] = corrections.driven
-  if (motion === 'velocity' && much !== 1) return [`Multiply turn rates by ${float(much)} before they are published.`]
-  if (motion !== 'odometry' || (far === 1 && much === 1)) return []
-  return [`Multiply distances of odometry by ${float(far)} and turns by ${float(much)} before they are published.`]
+  const { driven, swerve = 0 } = corrections
+  const [far, much] = driven
+  const rates = motion === 'velocity' && much !== 1
+  const ways = motion === 'odometry' && (far !== 1 || much !== 1)
+  return [
+    ...(rates ? [`Multiply turn rates by ${float(much)} before they are published.`] : []),
+    ...(ways
+      ? [`Multiply distances of odometry by ${float(far)} and turns by ${float(much)} before they are published.`]
+      : []),
+    ...(swerve !== 0
+      ? [`Then add ${float(swerve)} times its metres to each turn of the wheels, and as much to its rate, rad.`]
+      : []),
+  ]
 }
 
 /** Where the antenna of the fixes stands. @param {Frame} frame @param {LogContents} contents */

@@ -29,7 +29,7 @@ const DELAYS = /** @type {const} */ (['delaySpeed', 'delayTurn', ...TOGETHER])
 /** The longest delay that is tried from none, s. */
 const FAR = 3
 /** Faults that another reading of the files mends. */
-const READ_OTHERWISE = ['odometry', 'turn-scale', 'landmark-bias', 'exchanged', 'displaced']
+const READ_OTHERWISE = ['odometry', 'turn-scale', 'unequal-wheels', 'landmark-bias', 'exchanged', 'displaced']
 /** What the filter learns by itself, by the number that is off. @type {Record<string, string>} */
 const LEARNED = { turnBias: 'learnBias', speedScale: 'learnSpeed' }
 
@@ -46,14 +46,24 @@ const said = (size, times = 1) => Number((rounded(size, times) / times).toPrecis
  */
 function corrected({ fault, landmarks: ids, sizes }, log) {
   if (!log?.corrections) return null
-  const { driven, landmarks: moved, ranges } = log.corrections
+  const { driven, landmarks: moved, ranges, swerve = 0 } = log.corrections
   if (fault === 'odometry' || fault === 'turn-scale') {
     if (sizes[0].end) return null
     const [along, about = 1] = fault === 'odometry' ? factors(sizes) : [1, ...factors(sizes)]
     return {
       press: 'Take them so',
-      corrections: { ...log.corrections, driven: [driven[0] * along, driven[1] * about] },
+      // What was added for each metre is counted in the turns and metres of before.
+      corrections: {
+        ...log.corrections,
+        driven: [driven[0] * along, driven[1] * about],
+        swerve: Number(((swerve * about) / along).toPrecision(12)),
+      },
     }
+  }
+  if (fault === 'unequal-wheels') {
+    if (sizes[0].end) return null
+    const more = Number((swerve + said(sizes[0], 1 / DEGREE)).toPrecision(12))
+    return { press: 'Take them so', corrections: { ...log.corrections, swerve: more } }
   }
   const at = (/** @type {number} */ id) => log.landmarks?.find((one) => one.id === id)
   const [one, other = one] = ids ?? []

@@ -115,7 +115,10 @@ export function readSettings(text, known) {
   if (log !== null) only(log, LOG, 'log', LOG)
   const corrections = read.corrections ?? NONE
   if (!areCorrections(corrections))
-    throw new Error('corrections are not two factors, places of landmarks, what ranges are taken shorter and a part.')
+    throw new Error(
+      'corrections are not two factors, a turn for each metre, places of landmarks, what ranges are taken shorter ' +
+        'and a part.',
+    )
   const missing = known.filter(({ name }) => !(name in read.settings))
   const usual = Object.fromEntries(missing.map((one) => [one.name, one.default]))
   const names = missing.map(({ name }) => name)

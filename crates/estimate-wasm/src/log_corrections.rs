@@ -14,6 +14,8 @@ const TYPES: &str = r#"
 export interface LogCorrections {
     /** How many times distances of odometry, and turns or turn rates, are taken as they are read. */
     driven: [number, number];
+    /** By how much more to its left the robot turns on each metre than is read, radians; 0 where nothing is said. */
+    swerve?: number;
     /** The id, x and y of each landmark that stands elsewhere. */
     landmarks: [number, number, number][];
     /** The id of each landmark whose ranges are taken shorter than they are read, and by how much, metres. */
@@ -23,13 +25,14 @@ export interface LogCorrections {
 }
 "#;
 
-/// What a caller says of them: two factors, id, x and y of landmarks, id and metres of ranges, and two times; the last
-/// two may be left out.
+/// What a caller says of them: two factors, id, x and y of landmarks, id and metres of ranges, two times, and
+/// radians for each metre; the last three may be left out.
 pub(crate) fn read(
     driven: &JsValue,
     landmarks: &JsValue,
     ranges: &JsValue,
     kept: &JsValue,
+    swerve: &JsValue,
 ) -> Result<Corrections, Error> {
     let driven = Arg::new(driven, "driven").exactly()?;
     let landmarks = Arg::new(landmarks, "landmarks").every(MAX_LANDMARKS, |place| {
@@ -47,8 +50,10 @@ pub(crate) fn read(
     if kept.is_some_and(|[from, to]: [f64; 2]| from >= to) {
         return Err(Error::new(Code::Limit, "kept", "ends before it begins"));
     }
+    let swerve = Arg::new(swerve, "swerve");
+    let swerve = if swerve.is_undefined() { 0.0 } else { finite(swerve.number()?, "swerve")? };
     let (landmarks, ranges) = (landmarks.into_iter().collect(), ranges.into_iter().collect());
-    Ok(Corrections { driven, landmarks, ranges, kept })
+    Ok(Corrections { driven, swerve, landmarks, ranges, kept })
 }
 
 fn id_of(id: f64, name: &'static str) -> Result<u32, Error> {
@@ -62,6 +67,7 @@ pub(crate) fn shown(corrections: &Corrections) -> JsValue {
     let ranges = corrections.ranges.iter().map(|(id, by)| list(&[f64::from(*id), *by]));
     record(&[
         ("driven", list(&corrections.driven)),
+        ("swerve", corrections.swerve.into()),
         ("landmarks", places.collect::<Array>().into()),
         ("ranges", ranges.collect::<Array>().into()),
         ("kept", corrections.kept.map_or(JsValue::NULL, |kept| list(&kept))),

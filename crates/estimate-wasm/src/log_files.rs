@@ -149,16 +149,18 @@ impl LogFiles {
     /// Reads the log otherwise than its files have it: `driven` is how many times distances of odometry, and turns or
     /// turn rates, are taken as they are read, both above 0, `landmarks` lists id, x and y of each landmark that
     /// stands elsewhere, and `ranges`, which may be left out, id and by how much ranges to it are taken shorter, m;
-    /// `kept`, which may be left out too, is from when to when the log is read, s since the first row of its files.
+    /// `kept`, which may be left out too, is from when to when the log is read, s since the first row of its files, and
+    /// so may `swerve`, by how much more to its left the robot turns on each metre than is read, rad.
     pub fn correct(
         &self,
         #[wasm_bindgen(unchecked_param_type = "[number, number]")] driven: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "[number, number, number][]")] landmarks: &JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "[number, number][]")] ranges: &JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "[number, number] | null")] kept: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] swerve: &JsValue,
     ) -> Result<(), Thrown> {
         self.0.is(FILES)?;
-        let corrections = crate::log_corrections::read(driven, landmarks, ranges, kept)?;
+        let corrections = crate::log_corrections::read(driven, landmarks, ranges, kept, swerve)?;
         self.0.write(FILES, |files: &mut Files| {
             let message = "has a factor that is not above 0";
             if files.correct(corrections) { Ok(()) } else { Err(Error::new(Code::Limit, "driven", message)) }

@@ -17,8 +17,8 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 /** A fault that was looked for in a log. */
 export interface LogSuspect {
-    fault: 'start' | 'clock' | 'bias' | 'scale' | 'odometry' | 'turn-scale' | 'antenna' | 'tails' | 'sigma'
-        | 'turned' | 'mirrored' | 'mirrored-bearings' | 'exchanged' | 'landmark-bias' | 'displaced';
+    fault: 'start' | 'clock' | 'bias' | 'scale' | 'odometry' | 'turn-scale' | 'unequal-wheels' | 'antenna' | 'tails'
+        | 'sigma' | 'turned' | 'mirrored' | 'mirrored-bearings' | 'exchanged' | 'landmark-bias' | 'displaced';
     /**
      * The parameter that mends it; null of the start, and where none does. Of outliers, which a gate refuses, the σ of
      * their sensor, where that is another one behind the gate.
@@ -35,7 +35,8 @@ export interface LogSuspect {
      * parameter; of the start x, y and θ in metres and radians; of a landmark x and y, or by how much its
      * ranges are too long; of outliers their share, and that σ; of
      * odometry the shares by which distances and, where it turns, turns are larger than they are read, and of turn
-     * rates that share; of the antenna how far ahead and to the left it stands, metres, and that delay. Empty where
+     * rates that share; of unequal wheels by how much more the robot turns to its left on each metre than is read,
+     * radians; of the antenna how far ahead and to the left it stands, metres, and that delay. Empty where
      * nothing is set.
      */
     sizes: {

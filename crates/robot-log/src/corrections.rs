@@ -1,5 +1,5 @@
 //! What is read otherwise than the files have it, as a verdict on the log proposes it: distances and turns by factors,
-//! landmarks at other places, the ranges of one shorter, and a part of the log alone.
+//! turns by an angle on each metre, landmarks at other places, the ranges of one shorter, and a part of the log alone.
 
 use crate::frames::signed;
 use estimate::drive::{Drive, Event};
@@ -13,6 +13,9 @@ const LEAST: f64 = 1e-3;
 pub struct Corrections {
     /// How many times the distances of odometry and the turns of any motion are taken as they are read.
     pub driven: [f64; 2],
+    /// By how much more to its left the robot turns on each metre than is read, rad, where distance and turn, or speed
+    /// and turn rate, stand in one row; counted in what `driven` makes of them.
+    pub swerve: f64,
     /// Where landmarks stand instead, by their numbers; m.
     pub landmarks: BTreeMap<u32, [f64; 2]>,
     /// By how much ranges are taken shorter than they are read, by the numbers of their landmarks; m.
@@ -23,7 +26,7 @@ pub struct Corrections {
 
 impl Default for Corrections {
     fn default() -> Self {
-        Self { driven: [1.0; 2], landmarks: BTreeMap::new(), ranges: BTreeMap::new(), kept: None }
+        Self { driven: [1.0; 2], swerve: 0.0, landmarks: BTreeMap::new(), ranges: BTreeMap::new(), kept: None }
     }
 }
 
@@ -33,20 +36,24 @@ impl Corrections {
         let factor = |by: &f64| by.is_finite() && *by > 0.0;
         let metres = self.landmarks.values().flatten().chain(self.ranges.values());
         let part = self.kept.is_none_or(|[from, to]| from.is_finite() && to.is_finite() && from < to);
-        part && self.driven.iter().all(factor) && { metres }.all(|at| at.is_finite())
+        part && self.swerve.is_finite() && self.driven.iter().all(factor) && { metres }.all(|at| at.is_finite())
     }
 
     /// Reads a log so, and says what was done; what it says of landmarks that the log has not, or of odometry where
     /// there is none, does nothing.
     pub(crate) fn onto(&self, drive: &mut Drive, names: &[String]) -> Vec<String> {
         let mut said = Vec::new();
-        let ([far, much], mut turned) = (self.driven, false);
+        let ([far, much], mut turned, mut swerved) = (self.driven, false, false);
         for row in &mut drive.rows {
             match &mut row.event {
-                Event::Odometry { distance, turn } => (*distance, *turn) = (far * *distance, much * *turn),
-                Event::Velocity { omega, .. } | Event::TurnRate { omega } => {
-                    (*omega, turned) = (much * *omega, true);
+                Event::Odometry { distance, turn } => {
+                    *distance *= far;
+                    (*turn, swerved) = (much * *turn + self.swerve * *distance, true);
                 }
+                Event::Velocity { v, omega } => {
+                    (*omega, turned, swerved) = (much * *omega + self.swerve * *v, true, true);
+                }
+                Event::TurnRate { omega } => (*omega, turned) = (much * *omega, true),
                 _ => {}
             }
         }
@@ -56,6 +63,11 @@ impl Corrections {
             ));
         } else if turned && much != 1.0 {
             said.push(format!("Turn rates are taken {much:.4} times as they are read."));
+        }
+        if swerved && self.swerve != 0.0 {
+            let side = if self.swerve > 0.0 { "left" } else { "right" };
+            let much = self.swerve.abs().to_degrees();
+            said.push(format!("On each metre {much:.3}\u{b0} more to the {side} is turned than is read."));
         }
         let name = |id: u32| {
             let name = names.get((id as usize).wrapping_sub(1)).cloned();

@@ -22,6 +22,7 @@ fn distances_turns_and_places_are_taken_otherwise_and_that_is_said() {
     let before = log.read().expect("sound");
     assert!(log.correct(Corrections {
         driven: [1.02, 0.5],
+        swerve: 0.0,
         landmarks: BTreeMap::from([(1, [1.25, 2.0]), (9, [0.0; 2])]),
         ranges: BTreeMap::from([(2, 0.4), (9, 1.0)]),
         kept: None,
@@ -61,6 +62,33 @@ fn turn_rates_are_taken_otherwise_and_speeds_are_not() {
     assert!(log.read().expect("sound").notes.iter().all(|note| !note.contains("as they are read")));
 }
 
+/// As of two wheels of which one is larger: in what the factors make of distances, and of speeds.
+#[test]
+fn turns_are_taken_with_an_angle_for_each_metre() {
+    let mut log = files();
+    assert!(log.correct(Corrections { driven: [2.0, 0.5], swerve: -0.04, ..Corrections::default() }));
+    let read = log.read().expect("sound");
+    let driven: Vec<_> = read.log.drive.rows.iter().filter(|row| row.event.is_motion()).map(|row| row.event).collect();
+    assert_eq!(driven[2], Event::Odometry { distance: 0.8, turn: 0.5 * -0.1 - 0.04 * 0.8 });
+    let said = "On each metre 2.292\u{b0} more to the right is turned than is read.";
+    assert!(read.notes.iter().any(|note| note == said), "{:?}", read.notes);
+
+    let mut log = Files::default();
+    log.add("odom.csv", "time_s,v,omega\n0,2,0.5\n1,-1,0.25\n2,0,-0.5\n").expect("motion");
+    assert!(log.correct(Corrections { swerve: 0.25, ..Corrections::default() }));
+    let moves: Vec<_> = log.read().expect("sound").log.drive.rows.iter().map(|row| row.event).collect();
+    let v = |(v, omega)| Event::Velocity { v, omega };
+    assert_eq!(moves, [(2.0, 1.0), (-1.0, 0.0), (0.0, -0.5)].map(v));
+
+    // A gyro reads no wheels.
+    let mut log = Files::default();
+    log.add("speed.csv", "time_s,v\n0,2\n1,2\n").expect("a speed");
+    log.add("gyro.csv", "time_s,omega\n0.5,0.5\n1.5,0.5\n").expect("a turn rate");
+    let before = log.read().expect("sound").log.drive.rows;
+    assert!(log.correct(Corrections { swerve: 0.25, ..Corrections::default() }));
+    assert_eq!(log.read().expect("sound").log.drive.rows, before);
+}
+
 #[test]
 fn what_no_log_can_be_read_by_is_refused() {
     let mut log = files();
@@ -68,6 +96,7 @@ fn what_no_log_can_be_read_by_is_refused() {
         assert!(!log.correct(Corrections { driven, ..Corrections::default() }), "{driven:?}");
     }
     assert!(!log.correct(Corrections { landmarks: BTreeMap::from([(1, [f64::NAN, 0.0])]), ..Corrections::default() }));
+    assert!(!log.correct(Corrections { swerve: f64::NAN, ..Corrections::default() }));
     for kept in [[2.0, 2.0], [2.0, 1.0], [f64::NAN, 1.0], [0.0, f64::INFINITY]] {
         assert!(!log.correct(Corrections { kept: Some(kept), ..Corrections::default() }), "{kept:?}");
     }

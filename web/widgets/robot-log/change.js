@@ -23,6 +23,6 @@ export function applyChange(files, change) {
   if (origin !== undefined) files.setOrigin(file, ...origin)
   if (clockShift !== undefined) files.setClockShift(file, clockShift)
   if (corrections === undefined) return
-  const { driven, landmarks, ranges, kept } = corrections
-  files.correct(driven, landmarks, ranges, kept)
+  const { driven, landmarks, ranges, kept, swerve } = corrections
+  files.correct(driven, landmarks, ranges, kept, swerve)
 }

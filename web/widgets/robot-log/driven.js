@@ -1,7 +1,7 @@
 /** Motion that reads too much or too little by a share, in words: by which factors, and which wheels do so. */
 
 import { decimal, fixed } from '../../draw/numbers.js'
-import { plusMinus, rounded } from './sized.js'
+import { digits, plusMinus, rounded } from './sized.js'
 
 /** @typedef {import('estimate-wasm').LogSuspect['sizes'][number]} Size */
 /** @typedef {import('./looks.js').Log | null} Log */
@@ -57,5 +57,22 @@ export function turnScaleSentence([size], log) {
   return (
     `The robot turns ${much(size, ['more', 'less'])} than its turn rates say: ` +
     `take them ${decimal(about, 4)} times as they are read.${base}`
+  )
+}
+
+const DEGREES = 180 / Math.PI
+
+/** Turns that are off by an angle for each metre. @param {Size[]} sizes */
+export function unequalSentence([size]) {
+  const left = size.value > 0
+  const much = { ...size, value: Math.abs(size.value) }
+  const side = left ? 'left' : 'right'
+  const turns = `The robot turns ${plusMinus(much, DEGREES)}° more to the ${side} on each metre than is read`
+  if (size.end) return `${turns}: mend the sizes of its wheels, or the unit of its turns.`
+  const [larger, other] = left ? ['right', 'left'] : ['left', 'right']
+  return (
+    `${turns}: take the turns so. ` +
+    `A ${larger} wheel that is larger than the ${other} by ${digits(much, 100)} % for each metre between the two ` +
+    'does the same.'
   )
 }

@@ -30,6 +30,7 @@ const KINDS = {
   'mirrored-bearings': 'the sign of the bearings',
   odometry: 'a scale of the odometry',
   'turn-scale': 'a scale of the turn rates',
+  'unequal-wheels': 'wheels of two sizes',
   antenna: 'another place of the antenna',
   exchanged: 'an exchange of two landmarks',
   displaced: 'another place of a landmark',

@@ -2,7 +2,7 @@
 
 import { fixed, metres } from '../../draw/numbers.js'
 import { antennaSentence, ofAStep } from './antenna.js'
-import { DILUTED, odometrySentence, byNoise, turnScaleSentence } from './driven.js'
+import { DILUTED, odometrySentence, byNoise, turnScaleSentence, unequalSentence } from './driven.js'
 import { HIDDEN, bridged, cutsFirst } from './gaps.js'
 import { MIRRORED_BEARINGS, mirroredSentence } from './mirrored.js'
 import { NEAR, named } from './named.js'
@@ -197,6 +197,7 @@ export function sentence(suspect, truth, log = null) {
   if (fault === 'displaced') return displaced(landmarks ?? [], sizes, log)
   if (fault === 'landmark-bias') return biased(landmarks ?? [], sizes, log)
   if (fault === 'turn-scale') return turnScaleSentence(sizes, log)
+  if (fault === 'unequal-wheels') return unequalSentence(sizes)
   if (fault === 'antenna') return antennaSentence(suspect)
   if (fault === 'mirrored') return mirroredSentence(log)
   if (fault === 'mirrored-bearings') return MIRRORED_BEARINGS

@@ -41,6 +41,8 @@ pub(crate) struct Otherwise {
     pub clockwise: bool,
     /// By what share the distances of odometry and the turns of any motion are larger than they are read.
     pub driven: [f64; 2],
+    /// By how much more the robot turns to its left on each metre than is read, rad.
+    pub swerve: f64,
     /// By how much the antenna stands farther ahead, and to the left, than is set, m.
     pub antenna: [f64; 2],
     /// Two landmarks, by their places in the list, that are taken for one another.

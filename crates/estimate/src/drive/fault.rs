@@ -15,6 +15,8 @@ pub enum Fault {
     Odometry,
     /// Turn rates read too much or too little by a share.
     TurnScale,
+    /// Turns are off by an angle for each metre, as of a robot with one wheel larger than the other.
+    UnequalWheels,
     /// The antenna stands elsewhere on the robot than is set.
     Antenna,
     /// Outliers: more readings lie far off than a normal distribution has.
@@ -45,6 +47,7 @@ impl Fault {
             Self::Scale => "scale",
             Self::Odometry => "odometry",
             Self::TurnScale => "turn-scale",
+            Self::UnequalWheels => "unequal-wheels",
             Self::Antenna => "antenna",
             Self::Tails => "tails",
             Self::Sigma => "sigma",

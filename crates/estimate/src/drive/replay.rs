@@ -149,7 +149,7 @@ impl Replay {
             return None;
         }
         let dt = (step.time - self.time).max(0.0);
-        let Otherwise { arcs, mirrored, driven: [far, much], .. } = *course.otherwise();
+        let Otherwise { arcs, mirrored, driven: [far, much], swerve, .. } = *course.otherwise();
         let u = match (step.way, step.event) {
             (Some(way), _) => self.on(way, step.time)?,
             (None, Event::Odometry { distance, turn }) => Vector2::new(distance, turn),
@@ -157,7 +157,7 @@ impl Replay {
             _ => self.held * dt,
         };
         let much = if mirrored { -1.0 - much } else { 1.0 + much };
-        let u = Vector2::new((1.0 + far) * u[0], much * u[1]);
+        let u = Vector2::new((1.0 + far) * u[0], much * u[1] + swerve * u[0]);
         let s = course.settings();
         let noise = Matrix2::new(s.sigma_distance * s.sigma_distance, 0.0, 0.0, s.sigma_turn * s.sigma_turn) * dt;
         // What is driven evenly turns on the way.

@@ -49,7 +49,8 @@ pub struct Suspect {
     /// The numbers; of the start x, y and θ in m, m and rad; of a landmark x and y in m, or by how much its ranges
     /// are too long; of outliers their share, and σ where that is another one behind the gate; of
     /// odometry the shares by which distances and, where it turns, turns are larger than they are read; of turn rates
-    /// that share; of an antenna how far ahead of the robot's centre and how far to its left it stands, m, and
+    /// that share; of unequal wheels by how much more the robot turns to its left on each metre than is read, rad/m;
+    /// of an antenna how far ahead of the robot's centre and how far to its left it stands, m, and
     /// the delay where one is off as well, s.
     pub sizes: Vec<Size>,
     /// The least of the standard deviations that readings bring, their median and the greatest: of a factor on them.
@@ -79,6 +80,7 @@ impl Suspect {
             (Fault::Mirrored, ..) => Tried::Mirrored,
             (Fault::MirroredBearings, ..) => Tried::MirroredBearings,
             (Fault::TurnScale, ..) => Tried::TurnScale,
+            (Fault::UnequalWheels, ..) => Tried::UnequalWheels,
             (Fault::Antenna, ..) => Tried::Antenna(self.with),
             (Fault::Exchanged, ..) => Tried::Exchanged,
             (Fault::Displaced, ..) => Tried::Displaced,

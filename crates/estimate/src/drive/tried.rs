@@ -23,6 +23,8 @@ pub(crate) enum Tried {
     Odometry(usize),
     /// The turn rates of motion that is held.
     TurnScale,
+    /// What is added to the turn on each metre where both are read by the same wheels.
+    UnequalWheels,
     /// Where on the robot the antenna stands whose position fixes are, alone or with a delay: theirs or the motion's.
     Antenna(Option<Fitted>),
     Mirrored,
@@ -44,6 +46,9 @@ const START_MOST: f64 = 0.1;
 /// That of a share of odometry or of turn rates, and from where to where one is tried.
 const SHARE: f64 = 1e-4;
 const SHARES: [f64; 2] = [-0.9, 9.0];
+/// That of what is added to the turn on each metre, rad/m, and the most that is tried.
+const SWERVE: f64 = 1e-4;
+const MOST_SWERVE: f64 = 1.0;
 /// That of an antenna's place, m.
 const ARM: f64 = 0.01;
 /// That of a delay, s, and at least so many periods of the motion.
@@ -77,6 +82,7 @@ impl Tried {
             (Self::Together(read), read.iter().filter(|it| **it).count() > 1),
             (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
             (Self::TurnScale, turning && !drive.motion.is_odometry()),
+            (Self::UnequalWheels, placed && drive.rows.iter().any(|row| by_wheels(&row.event))),
             // Straight on it looks like a delay.
             (Self::Antenna(None), mounted),
             (Self::Antenna(Some(Fitted::DelayFix)), mounted),
@@ -103,6 +109,7 @@ impl Tried {
             Self::Number(Fitted::BearingOffset | Fitted::HeadingOffset) => Fault::Turned,
             Self::Odometry(_) => Fault::Odometry,
             Self::TurnScale => Fault::TurnScale,
+            Self::UnequalWheels => Fault::UnequalWheels,
             Self::Antenna(_) => Fault::Antenna,
             Self::Mirrored => Fault::Mirrored,
             Self::MirroredBearings => Fault::MirroredBearings,
@@ -133,7 +140,8 @@ impl Tried {
             Self::Ruler | Self::Displaced => 2,
             Self::Odometry(count) => count,
             Self::Antenna(delay) => 2 + usize::from(delay.is_some()),
-            Self::Number(_) | Self::Outliers(_) | Self::Together(_) | Self::TurnScale | Self::LandmarkBias => 1,
+            Self::Number(_) | Self::Outliers(_) | Self::Together(_) => 1,
+            Self::TurnScale | Self::UnequalWheels | Self::LandmarkBias => 1,
             Self::Mirrored | Self::MirroredBearings | Self::Exchanged => 0,
         }
     }
@@ -155,7 +163,7 @@ impl Tried {
             // By how much it stands elsewhere, and is later, than is set.
             Self::Antenna(_) | Self::Odometry(_) => return alloc::vec![0.0; self.freedom()],
             // By how much all of them are later than they are set.
-            Self::Together(_) | Self::TurnScale => return alloc::vec![0.0],
+            Self::Together(_) | Self::TurnScale | Self::UnequalWheels => return alloc::vec![0.0],
             _ => {}
         }
         self.numbers().iter().map(|number| number.get(&place.settings)).collect()
@@ -170,6 +178,7 @@ impl Tried {
                 *place.settings.gate.of_mut(sensor) = Some(crate::drive::evidence::OUTLIER_GATE);
             }
             (Self::TurnScale, &[share]) => place.otherwise.driven[1] = share,
+            (Self::UnequalWheels, &[swerve]) => place.otherwise.swerve = swerve,
             (Self::Antenna(delay), &[ahead, left, ref later @ ..]) => {
                 place.otherwise.antenna = [ahead, left];
                 if let (Some(delay), Some(later)) = (delay, later.first()) {
@@ -198,6 +207,9 @@ impl Tried {
         }
         if matches!(self, Self::Odometry(_) | Self::TurnScale) {
             return alloc::vec![SHARE; self.freedom()];
+        }
+        if self == Self::UnequalWheels {
+            return alloc::vec![SWERVE];
         }
         let late = DELAY.max(PERIODS * period);
         if let Self::Antenna(_) = self {
@@ -228,6 +240,7 @@ impl Tried {
                 return [[-MAX_ARM, MAX_ARM], [-MAX_ARM, MAX_ARM], [-most, most]][..self.freedom()].to_vec();
             }
             Self::Odometry(_) | Self::TurnScale => return alloc::vec![SHARES; self.freedom()],
+            Self::UnequalWheels => return alloc::vec![[-MOST_SWERVE, MOST_SWERVE]],
             _ => {}
         }
         let bound = |(number, at): (&Fitted, &f64)| match number.is_delay() {
@@ -235,6 +248,14 @@ impl Tried {
             false => number.bounds(most),
         };
         self.numbers().iter().zip(first).map(bound).collect()
+    }
+}
+
+/// Whether a row reads a way and a turn, as two wheels do.
+fn by_wheels(event: &Event) -> bool {
+    match event {
+        Event::Odometry { distance: way, .. } | Event::Velocity { v: way, .. } => *way != 0.0,
+        _ => false,
     }
 }
 

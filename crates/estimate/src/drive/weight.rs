@@ -71,12 +71,18 @@ pub(crate) fn ranked(mut left: Vec<(Suspect, Trial)>) -> Vec<(Suspect, Trial)> {
 }
 
 /// Leaves of the ranges' scale and offset, and of an antenna's place and its delay, both together where neither
-/// explains as much by itself, to within what a number gains by chance; else those by themselves.
+/// explains as much by itself, to within what a number gains by chance; else those by themselves. So it leaves wheels
+/// of two sizes or a bias of the turn rate.
 pub(crate) fn sifted(drive: &Drive, found: &mut Vec<(Suspect, Trial)>, scope: &Scope) {
     let chance = scope.chance[1];
     let pair = |it: &Suspect| it.with.is_some() && it.fault == Fault::Scale;
     let alone = |it: &Suspect| it.with.is_none() && matches!(it.number, Some(Fitted::Scale | Fitted::Offset));
     together(found, chance, pair, alone);
+    // At a speed that hardly changes a bias of the turn rate looks the same as wheels of two sizes.
+    let bias = |it: &Suspect| it.number == Some(Fitted::TurnBias);
+    if found.iter().any(|(it, _)| bias(it)) {
+        together(found, chance, |it| it.fault == Fault::UnequalWheels, bias);
+    }
     let late = |it: &Suspect| it.fault == Fault::Antenna && it.with.is_some();
     let placed = |it: &Suspect| it.fault == Fault::Antenna && it.with.is_none();
     // What a delay explains nearly as well by itself is one, and so is an arm no longer than what is held explains.
