@@ -172,6 +172,12 @@ impl File {
         self.tell_apart();
     }
 
+    /// The role that the reader says.
+    pub(crate) fn say_role(&mut self, role: Role) {
+        self.set_role(role);
+        self.source.role_said = true;
+    }
+
     pub(crate) fn set_only(&mut self, only: Option<&str>) -> bool {
         let Some(several) = &self.source.several else { return false };
         let known = only.is_none_or(|only| several.values.iter().any(|(value, _)| value == only));

@@ -12,6 +12,7 @@ use crate::log::{MAX_BYTES, Understood};
 use crate::other_clock::{Times, spanned};
 use crate::parse;
 use crate::reading::LogReader;
+use crate::receivers;
 use crate::role::Role;
 use crate::turning;
 use crate::wheels::Counting;
@@ -59,6 +60,7 @@ impl Files {
         beside::names(&mut self.files, None);
         self.read_again();
         beside::speeds(&mut self.files, None);
+        receivers::ask(&mut self.files);
         self.changed();
         Ok(())
     }
@@ -78,10 +80,11 @@ impl Files {
 
     /// Reads a file as another role, its columns guessed anew. Answers whether there is such a file.
     pub fn set_role(&mut self, file: usize, role: Role) -> bool {
-        let known = self.files.get_mut(file).map(|file| file.set_role(role)).is_some();
+        let known = self.files.get_mut(file).map(|file| file.say_role(role)).is_some();
         beside::names(&mut self.files, Some(file));
         beside::speeds(&mut self.files, Some(file));
         self.read_again();
+        receivers::ask(&mut self.files);
         self.changed();
         known
     }

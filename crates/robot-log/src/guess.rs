@@ -95,6 +95,8 @@ fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
         beside: false,
         own: None,
         frame: None,
+        role_said: false,
+        among_several: false,
         undecided: None,
         refused: None,
     }

@@ -85,6 +85,7 @@ mod parse;
 mod placed;
 mod quaternion;
 mod reading;
+mod receivers;
 mod reckoned;
 mod role;
 mod ros;

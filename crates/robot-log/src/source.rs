@@ -53,6 +53,10 @@ pub(crate) struct Source {
     pub other_clock: Option<OtherClock>,
     /// What is added to them then, s, as it was said.
     pub clock_shift: Option<f64>,
+    /// Whether its role was said, and not guessed.
+    pub role_said: bool,
+    /// Whether what it is is asked since it is one of several with positions.
+    pub among_several: bool,
     /// The question of what the file is, where that is not known.
     pub undecided: Option<Question>,
     /// The file of the same text that was added before: this one is not used, or each row would count twice.
