@@ -264,3 +264,14 @@ fn a_fit_counts_the_outliers_that_have_bent_it() {
     }));
     assert!((0.01..0.03).contains(&bent), "{bent}");
 }
+
+/// What hardly more than chance speaks for, and the truth against, is no fault.
+#[test]
+fn what_the_truth_speaks_against_is_not_named_for_a_little_evidence() {
+    let camera = WORLDS.iter().find(|world| world.name == "camera").expect("a world");
+    let judgement = judged(&camera.sound(20_147, true)).expect("a verdict");
+    let first = &judgement.suspects[0];
+    let (after, before) = (first.mended.expect("it was held against the truth"), judgement.against.expect("a truth"));
+    assert!(first.excess > 0.0 && first.excess < 3.0 && after.rmse > before.rmse, "{first:?}");
+    assert_eq!((first.standing, judgement.other), (Standing::Cleared, false));
+}

@@ -123,6 +123,9 @@ test('a remedy that leads away from the truth is none', () => {
   assert.match(said, /^Something is wrong that none of the 1 faults .* mends by itself\. .* is this: The ranges read/)
   assert.match(said, /would be 0\.25 m from the truth, where it is 0\.13 m from it now .*may hide behind it\./)
   assert.doesNotMatch(said, /Mended so, the RMS/)
+  const chance = ranked(judgement([{ ...wrong, standing: 'cleared' }], { against }), log)
+  assert.match(chance, /^No fault: .* That is more than chance: a σ may/)
+  assert.doesNotMatch(chance, /Mended so/, 'nothing is named')
   // One that was held against the truth and fell is no rival of the one that did not.
   const better = suspect({ standing: 'maybe', mended: { rmse: 0.1, nees: 2, outside: 0.05 } })
   const passed = ranked(judgement([better, suspect({ standing: 'maybe', excess: 16, mended })], { against }), log)

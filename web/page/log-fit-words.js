@@ -82,7 +82,10 @@ export function bentBy({ beyond, expected, readings, outliers }) {
   const far = `${percent(beyond / used)} of ${outliers ? 'the others' : 'these readings'} lie beyond what should hold`
   const [what, mend] = outliers
     ? ['a start or another fault that the verdict names, or outliers of a sensor without a gate,', 'Mend that first.']
-    : ['outliers', 'Switch on the gate of the sensor that has them, and Fit leaves them out.']
+    : [
+        'outliers, or a fault that the verdict names,',
+        'Mend first what it names, or switch on the gate of the sensor that has outliers, and Fit leaves them out.',
+      ]
   return (
     `${far} ${fixed(100 * (1 - expected), 1)} % of them: ${what} have bent the fit: each σ comes out too large, and ` +
     `a delay may be anything. Nothing of it can be taken. ${mend}`

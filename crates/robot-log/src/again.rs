@@ -4,8 +4,8 @@ use crate::file::File;
 use crate::guess::{IS_TRUE, moving};
 use crate::holds::{Again, Holds};
 use crate::names::candidates;
+use crate::question::Question;
 use crate::role::{Quantity, Role};
-use crate::source::Question;
 use crate::true_names::{has_coordinates, has_place, has_truth, is_received, is_reckoned};
 use crate::wide;
 

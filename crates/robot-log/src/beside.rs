@@ -7,9 +7,10 @@ use crate::log::MAX_LANDMARKS;
 use crate::names::candidates;
 use crate::other_clock::{OtherClock, Times, join};
 use crate::own::Own;
+use crate::question::Question;
 use crate::role::{Quantity, Role};
 use crate::row::{self, MAX_TIME};
-use crate::source::{Question, Source};
+use crate::source::Source;
 use crate::wgs84::Origin;
 use crate::wide;
 

@@ -14,7 +14,7 @@ use crate::parse;
 use crate::role::Role;
 use crate::row;
 use crate::several::{grouped, several};
-use crate::source::{Known, Question, Source};
+use crate::source::{Known, Source};
 use crate::stamp;
 use crate::table::Table;
 use crate::unit::{self, Unit};
@@ -167,15 +167,9 @@ impl File {
 
     pub(crate) fn set_role(&mut self, role: Role) {
         self.source.role = role;
-        self.source.undecided = (role == Role::Undecided).then(|| Question::open("What is it?"));
+        self.source.undecided = (role == Role::Undecided).then(|| crate::question::Question::open("What is it?"));
         columns::columns(&mut self.source, &self.name, &self.text);
         self.tell_apart();
-    }
-
-    /// The role that the reader says.
-    pub(crate) fn say_role(&mut self, role: Role) {
-        self.set_role(role);
-        self.source.role_said = true;
     }
 
     pub(crate) fn set_only(&mut self, only: Option<&str>) -> bool {

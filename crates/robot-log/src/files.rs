@@ -80,7 +80,11 @@ impl Files {
 
     /// Reads a file as another role, its columns guessed anew. Answers whether there is such a file.
     pub fn set_role(&mut self, file: usize, role: Role) -> bool {
-        let known = self.files.get_mut(file).map(|file| file.say_role(role)).is_some();
+        let said = |file: &mut File| {
+            file.set_role(role);
+            file.source.role_said = true;
+        };
+        let known = self.files.get_mut(file).map(said).is_some();
         beside::names(&mut self.files, Some(file));
         beside::speeds(&mut self.files, Some(file));
         self.read_again();

@@ -8,12 +8,12 @@ use crate::cut::cut;
 use crate::fields::Line;
 use crate::names::{Name, candidates, is_acceleration, is_spread};
 use crate::quaternion;
+use crate::question::Question;
 use crate::role::{Quantity, Role};
-use crate::source::{Known, Question, Source};
+use crate::source::Source;
 use crate::table::{LOOKED_AT, Table};
 use crate::true_names::{beside_reckoned, has_coordinates, has_truth, is_received, reckoned};
 use crate::vocabulary::BESIDE;
-use crate::wheels::Wheels;
 use crate::wide;
 
 /// Words in a file's name, and the role that they speak for.
@@ -56,8 +56,7 @@ pub(crate) fn guess(name: &str, text: &str) -> Source {
     let refused = binary::refusal(name, text);
     let table = Table::new(text).filter(|_| refused.is_none() && !is_log(text));
     let Some(mut table) = table else {
-        let role = Role::Log;
-        return Source { refused, ..empty(role, None, Vec::new()) };
+        return Source { role: Role::Log, refused, ..Source::default() };
     };
     let mut names = Name::all(&table.names);
     for head in &table.heads {
@@ -65,41 +64,9 @@ pub(crate) fn guess(name: &str, text: &str) -> Source {
     }
     let (role, undecided) = role(name, text, &table, &names);
     table.cut = cut(&table, text);
-    let mut source = Source { undecided, ..empty(role, Some(table), names) };
+    let mut source = Source { role, undecided, table: Some(table), names, ..Source::default() };
     columns(&mut source, name, text);
     source
-}
-
-fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
-    let (columns, units, doubts) = (Vec::new(), Vec::new(), Vec::new());
-    let wheels = Wheels::default();
-    Source {
-        role,
-        table,
-        names,
-        columns,
-        units,
-        doubts,
-        order: None,
-        clocks: Vec::new(),
-        called: Vec::new(),
-        driven_by: None,
-        wheels,
-        several: None,
-        only: None,
-        foreign: false,
-        same_as: None,
-        other_clock: None,
-        clock_shift: None,
-        headings: Known::Guessed,
-        beside: false,
-        own: None,
-        frame: None,
-        role_said: false,
-        among_several: false,
-        undecided: None,
-        refused: None,
-    }
 }
 
 /// Whether a text is in the book's own format, or is meant to be: a row begins with a letter, or it is no text at all.

@@ -84,6 +84,7 @@ mod own;
 mod parse;
 mod placed;
 mod quaternion;
+mod question;
 mod reading;
 mod receivers;
 mod reckoned;

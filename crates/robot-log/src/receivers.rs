@@ -3,9 +3,9 @@
 
 use crate::file::File;
 use crate::names::Name;
+use crate::question::Question;
 use crate::role::Role;
 use crate::row;
-use crate::source::Question;
 
 /// Words of a file's or a column's name that speak for a track that others are held against.
 const BETTER: [&str; 14] = [

@@ -55,7 +55,7 @@ const fn optional(name: &'static str, quantity: Quantity) -> Value {
 }
 
 /// What a file of a log is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Role {
     /// A log in the book's own format, with a letter at the beginning of each row.
     Log,
@@ -82,6 +82,7 @@ pub enum Role {
     /// Not known: it has to be said.
     Undecided,
     /// Left out.
+    #[default]
     Unused,
 }
 

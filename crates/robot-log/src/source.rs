@@ -6,6 +6,7 @@ use crate::names::Name;
 use crate::order::Order;
 use crate::other_clock::OtherClock;
 use crate::own::Own;
+use crate::question::Question;
 use crate::role::{Quantity, Role, Value};
 use crate::several::{Several, grouped};
 use crate::table::Table;
@@ -14,7 +15,7 @@ use crate::wheels::Wheels;
 use crate::wide;
 
 /// How a file is read.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Source {
     pub role: Role,
     pub table: Option<Table>,
@@ -66,9 +67,10 @@ pub(crate) struct Source {
 }
 
 /// How a unit is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Known {
     /// By its column's name and numbers.
+    #[default]
     Guessed,
     /// It was guessed, and other rows of the log speak against that.
     Doubted,
@@ -79,21 +81,6 @@ pub(crate) enum Known {
 /// Why the unit of headings is asked that was guessed.
 const OPPOSITE: &str = " As it was guessed, its headings turn the other way round than the motion says that the robot \
                         does. If they are right, it is the motion whose turns have another sign.";
-
-/// The question of what a file is.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Question {
-    pub words: String,
-    /// The roles that it names as its answers; none where any may be one.
-    pub answers: &'static [Role],
-}
-
-impl Question {
-    /// A question that any role may answer.
-    pub fn open(words: impl Into<String>) -> Self {
-        Self { words: words.into(), answers: &[] }
-    }
-}
 
 impl Source {
     /// The column of a value.

@@ -100,7 +100,7 @@ const RATES: [Unit; 6] = [
 ];
 const COORDINATES: [Unit; 2] = [unit("deg", 1.0, &DEG), unit("1e-7 deg", 1e-7, &[])];
 /// What a wheel has done since the row before or in all, or how fast it is; a wheel's own angle needs its radius.
-const WHEELS: [Unit; 8] = [
+const WHEELS: [Unit; 10] = [
     unit("ticks", 1.0, &["ticks", "tick", "counts", "count", "pulses", "impulse", "tics", "pulsos"]),
     unit("rad", 1.0, &["rad"]),
     unit("deg", DEGREE, &["deg", "degrees"]),
@@ -109,6 +109,8 @@ const WHEELS: [Unit; 8] = [
     unit("rad/s", 1.0, &["rad s", "rads"]),
     unit("rpm", core::f64::consts::PI / 30.0, &["rpm", "u min"]),
     unit("m/s", 1.0, &["m s", "mps"]),
+    unit("mm/s", 1e-3, &["mm s"]),
+    unit("km/h", 1.0 / 3.6, &["km h", "kmh", "kph", "kmph"]),
 ];
 const RAD: [&str; 3] = ["rad", "rads", "radians"];
 const DEG: [&str; 8] = ["deg", "degs", "degree", "degrees", "grad", "degres", "grados", "gradi"];

@@ -118,5 +118,5 @@ fn is_angle(unit: &str) -> bool {
 }
 
 pub(crate) fn is_speed(unit: &str) -> bool {
-    matches!(unit, "rad/s" | "rpm" | "m/s")
+    matches!(unit, "rad/s" | "rpm" | "m/s" | "mm/s" | "km/h")
 }

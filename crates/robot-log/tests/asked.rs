@@ -105,6 +105,8 @@ fn of_wheels_that_say_their_speed_no_count_is_asked() {
         ("m/s", "base"),
         ("rad/s", "radius base"),
         ("rpm", "radius base"),
+        ("km/h", "base"),
+        ("mm/s", "base"),
         ("m", "base counting"),
         ("rad", "radius base counting"),
         ("ticks", "ticks radius base counting"),

@@ -171,9 +171,10 @@ const TRUTH =
 const HELD = 'The errors are no larger than what the motion model has as its own, which holds what it reads for a step.'
 
 /** @param {LogJudgement} judgement */
-function errors({ suspects: [{ mended }], against, ungated, other, pace, ownDelay }) {
+function errors({ suspects: [first], against, ungated, other, pace, ownDelay }) {
   if (!against) return ''
   const { rmse, nees, outside } = against
+  const mended = first.standing === 'cleared' ? null : first.mended
   const off = ungated ? ', without the gate,' : ''
   const now =
     `Against the truth${off} the NEES of the position is ${fixed(nees, 1)}, where 2 is expected, and ` +

@@ -18,6 +18,8 @@ use alloc::vec::Vec;
 /// A mended filter that is farther from the truth than before, by this ratio, is not mended.
 const WORSE: f64 = 1.05;
 const FOR_THE_CLAIM: f64 = 1.3;
+/// Where neither the error nor the NEES changes by this ratio, the truth says nothing.
+const SILENT: f64 = 1.01;
 /// One with a NEES beyond this still has a fault, unless the error has fallen by this ratio meanwhile.
 const WILD: f64 = 20.0;
 const BETTER: f64 = 0.9;
@@ -70,16 +72,17 @@ pub struct Judgement {
     pub other: bool,
 }
 
-/// Whether the truth says that a remedy is none: neither the error nor what is claimed of it gets better, or the error
-/// grows, or the filter stays as far from its claims as nothing but another fault explains. A σ is mended for the sake
-/// of the claim: where that is twice as near, the error may grow a little.
+/// Whether the truth says that a remedy is none: one of the error and what is claimed of it gets worse and the other
+/// no better, or the error grows, or the filter stays as far from its claims as nothing but another fault explains. A
+/// σ is mended for the sake of the claim: where that is twice as near, the error may grow a little.
 pub(crate) fn refuted(fault: Fault, before: &Against, after: &Against) -> bool {
     let far = |against: &Against| libm::log(against.nees / EXPECTED).abs();
     let (share, farther) = (after.rmse / before.rmse, far(after) >= far(before));
     let claims = fault == Fault::Sigma && far(after) + core::f64::consts::LN_2 < far(before);
     let worse = if claims { FOR_THE_CLAIM } else { WORSE };
     let right = fault == Fault::Sigma && far(after) < CLAIMED;
-    share > worse || (share >= 1.0 && farther && !right) || (after.nees > WILD && share > BETTER)
+    let silent = share < SILENT && far(after) < far(before) + libm::log(SILENT);
+    share > worse || (share >= 1.0 && farther && !right && !silent) || (after.nees > WILD && share > BETTER)
 }
 
 /// By how much the readings of a round are likelier for a robot that turns on its way, where that is more than any
@@ -245,4 +248,20 @@ pub(crate) fn period(rows: &[Row]) -> f64 {
 fn median(rows: &[Row], of: impl Fn(&Event) -> bool) -> f64 {
     let times: Vec<f64> = rows.iter().filter(|row| row.event.is_motion() && of(&row.event)).map(|it| it.time).collect();
     gaps::median(times.windows(2).map(|pair| pair[1] - pair[0]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_truth_refuses_what_makes_it_worse_and_says_nothing_where_next_to_nothing_changes() {
+        let of = |rmse, nees| Against { rmse, nees, outside: 0.1 };
+        let refuses = |after| refuted(Fault::Bias, &of(1.0, 2.3), &after);
+        assert!(refuses(of(1.06, 2.0)), "the error");
+        assert!(refuses(of(1.02, 2.4)) && refuses(of(1.0, 2.4)), "neither is better, and one is worse");
+        assert!(!refuses(of(1.005, 2.31)), "nothing changes");
+        assert!(!refuses(of(1.02, 2.2)) && !refuses(of(0.98, 2.6)), "one of the two is better");
+        assert!(refuses(of(0.95, 21.0)) && !refuses(of(0.5, 21.0)), "wild claims");
+    }
 }

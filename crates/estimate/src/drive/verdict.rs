@@ -32,7 +32,7 @@ use crate::drive::settings::Settings;
 use crate::drive::suspect::{Standing, Suspect};
 use crate::drive::thinning::{Thinning, wandering, without_smaller};
 use crate::drive::tried::Tried;
-use crate::drive::weight::{ranked, sifted, stand};
+use crate::drive::weight::{CLEAR, ranked, sifted, stand};
 use crate::error::{Code, Error};
 use alloc::vec::Vec;
 
@@ -251,11 +251,13 @@ impl Verdict {
                 self.suspects[..=i].rotate_right(1);
                 return;
             }
-            // What may be no fault, and mends nothing, is none.
+            // What may be no fault, or chance, and mends nothing, is none.
             refused = refused.max(if own { 0.0 } else { excess });
-            self.suspects[i].standing = if own { Standing::Cleared } else { Standing::Maybe };
+            let chance = excess < CLEAR && fault != Fault::Sigma;
+            self.suspects[i].standing = if own || chance { Standing::Cleared } else { Standing::Maybe };
         }
-        self.suspects.sort_by_key(|it| it.own && it.standing == Standing::Cleared);
+        let cleared = |it: &Suspect| it.standing == Standing::Cleared;
+        self.suspects.sort_by_key(|it| (cleared(it), it.own && cleared(it)));
         self.other = likely > 0 && self.suspects.first().is_some_and(|it| it.standing != Standing::Cleared);
     }
 
