@@ -173,12 +173,12 @@ export class FileForm {
     if (!needs.includes('counting')) return
     /** @type {[string, string][]} */
     const ways = [
-      ['total', 'counted from the start of the log'],
-      ['step', 'counted from the row before'],
-      ['restarted', 'counted from the start, and from 0 again at a jump'],
+      ['total', 'from the start of the log'],
+      ['step', 'since the row before'],
+      ['restarted', 'from 0 again at each jump'],
     ]
     if (wheels.counting === null) ways.unshift(['', 'choose one'])
-    this.choice(set, `${i} counting`, 'each row’s number is', ways, wheels.counting ?? '', (counting) => ({
+    this.choice(set, `${i} counting`, 'each row’s number is counted', ways, wheels.counting ?? '', (counting) => ({
       file: i,
       counting,
     }))
