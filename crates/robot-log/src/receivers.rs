@@ -30,7 +30,7 @@ const TIMES: f64 = 5.0;
 /// Asks of the tables with positions that may be the true track, where there are several and none is known to be.
 pub(crate) fn ask(files: &mut [File]) {
     // What was asked before another file was known is asked anew.
-    for file in files.iter_mut().filter(|file| file.source.among_several && file.role() == Role::Undecided) {
+    for file in files.iter_mut().filter(|file| file.source.among_several && !file.source.role_said) {
         file.set_role(Role::Sensors);
         file.source.among_several = false;
     }

@@ -55,6 +55,8 @@ fn an_answer_stays_and_answers_for_the_others() {
     assert_eq!(log.files()[2].answers(), [Role::Truth, Role::Sensors]);
     assert!(log.set_role(2, Role::Truth));
     assert!(log.read().is_ok_and(|read| read.log.drive.truth.position(1.0).is_some()));
+    assert!(log.set_role(2, Role::Undecided));
+    assert_eq!(asked(&log), ["t4.csv"], "the reader has taken the answer back");
     assert!(log.set_role(2, Role::Sensors));
     assert!(asked(&log).is_empty() && log.read().is_ok());
     log.add("notes.csv", "t,temperature\n0,20\n").expect("a table");
