@@ -2,7 +2,7 @@
 //! or another base do. Natively only.
 
 use chapter_tests::planted::{Log, WORLDS, judged};
-use estimate::drive::{Event, Fault, Standing};
+use estimate::drive::{Event, Fault, Fitted, Standing, Verdict};
 
 /// A sound log of the world that moves by odometry, which then reads so many times the distances and the turns.
 fn reads(n: u64, [far, much]: [f64; 2]) -> Log {
@@ -123,5 +123,20 @@ fn a_bias_of_the_turn_rate_is_none_of_the_wheels() {
             assert_eq!(judgement.suspects[0].fault, Fault::Bias, "{name} {n}: {:?}", judgement.suspects[0]);
             assert!(judgement.suspects.iter().all(|it| it.fault != Fault::UnequalWheels), "{name} {n}");
         }
+    }
+}
+
+/// Where no gyro reads a turn rate, none has a bias: at any speed it is the wheels.
+#[test]
+fn of_two_wheels_alone_no_bias_is_looked_for() {
+    for (n, swerve) in [(0, 0.04), (1, -0.03)] {
+        let world = WORLDS.iter().find(|world| world.name == "beacons").expect("a world");
+        let log = unequal(world.sound(9700 + n, n.is_multiple_of(2)), swerve);
+        let mut verdict = Verdict::new(&log.drive, log.settings).expect("readings").by_wheels();
+        while verdict.step(&log.drive).expect("a step") {}
+        let suspects = verdict.found().suspects;
+        assert!(suspects.iter().all(|it| it.fault != Fault::Bias || it.number == Some(Fitted::Offset)), "{suspects:?}");
+        assert_eq!(suspects[0].fault, Fault::UnequalWheels, "{:?}", suspects[0]);
+        assert!((suspects[0].sizes[0].value - swerve).abs() < 3.0 * suspects[0].sizes[0].sigma, "{:?}", suspects[0]);
     }
 }

@@ -90,18 +90,18 @@ test('behind a gate the σ of the motion are said where nothing is to be pressed
 })
 
 test('wheels of two sizes are said by the turn of a metre, its side and the wheel that is larger', () => {
-  const said = (/** @type {number} */ value, end = false) =>
-    sentence(
-      suspect({ fault: 'unequal-wheels', name: null, sizes: [{ now: 0, value, sigma: 0.0012, end }] }),
-      false,
-      log,
-    )
+  const said = (/** @type {number} */ value, end = false, base = /** @type {number | null} */ (null)) =>
+    sentence(suspect({ fault: 'unequal-wheels', name: null, sizes: [{ now: 0, value, sigma: 0.0012, end }] }), false, {
+      ...log,
+      base,
+    })
   assert.equal(
     said(0.0404),
     'The robot turns 2.315 ± 0.069° more to the left on each metre than is read: take the turns so. ' +
-      'A right wheel that is larger than the left by 4.04 % for each metre between the two does the same.',
+      'A right wheel that is larger than the left by 4.04 ± 0.12 % for each metre between the two does the same.',
   )
-  assert.match(said(-0.0404), /more to the right .* A left wheel that is larger than the right by 4\.04 %/)
+  assert.match(said(-0.0404), /more to the right .* A left wheel that is larger than the right by 4\.04 ± 0\.12 %/)
+  assert.match(said(0.0237, false, 0.62), /larger than the left by 1\.469 ± 0\.074 % does the same\.$/)
   assert.match(said(1, true), /^The robot turns more than 57° more to the left .*: mend the sizes of its wheels/)
 })
 

@@ -69,16 +69,6 @@ test('what readings claim is named with what fits, and the factor that mends it'
   )
 })
 
-test('a bias of turns that come from two wheels may be that of a wheel of another size', () => {
-  const bias = suspect({ fault: 'bias', name: 'turnBias', sizes: [{ now: 0, value: 0.05, sigma: 0.004 }] })
-  const said = (wheels) => sentence(bias, false, { motion: 'velocity', names: [], wheels })
-  assert.match(
-    said(true),
-    /learn its bias\. It comes from two wheels, and there is no gyro .* growing with the speed\.$/,
-  )
-  assert.match(said(false), /let the filter learn its bias\.$/)
-})
-
 test('a share of outliers has its ± where it is clear of it, and a handful is about so many', () => {
   const tails = (value, sigma) =>
     sentence(suspect({ fault: 'tails', name: null, sensor: 'fix', sizes: [{ now: 0, value, sigma }] }), false)

@@ -3,46 +3,13 @@
  */
 
 import { button, part } from '../draw/dom.js'
+import { COUNTINGS, NAMES, ROLES, WHEELS } from './log-file-names.js'
 import { clocksOf, faultWords, framesOf, originOf, short, unreadWords } from './log-file-words.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('estimate-wasm').LogValue} LogValue */
 /** @typedef {import('../widgets/robot-log/change.js').Change} Change */
 
-const ROLES = {
-  log: 'a log in this book’s format',
-  velocities: 'velocities',
-  odometry: 'odometry',
-  encoders: 'encoders of two wheels',
-  reckoned: 'odometry as poses: x, y and heading',
-  sensors: 'sensors: speed, turn rate, position, heading',
-  sightings: 'sightings of landmarks',
-  ranges: 'ranges, a column for each landmark',
-  landmarks: 'landmarks',
-  truth: 'the true track',
-  barcodes: 'barcodes',
-  undecided: 'choose what it is',
-  unused: 'not used',
-}
-const NAMES = /** @type {Record<string, string>} */ ({
-  omega: 'ω',
-  us: 'µs',
-  sigma: 'σ of the position',
-  'sigma of heading': 'σ of the heading',
-  'landmark x': 'x of the landmark',
-  'landmark y': 'y of the landmark',
-  fraction: 'fraction of the second',
-  'first range': 'first of the ranges',
-  date: 'date or time of day',
-  day: 'day of the time',
-  quaternion: 'quaternion: x, y, z, w',
-})
-/** What encoders need besides, and its unit. @type {['ticks' | 'radius' | 'base', string][]} */
-const WHEELS = [
-  ['ticks', 'ticks in one turn of a wheel'],
-  ['radius', 'radius of a wheel, m'],
-  ['base', 'distance between the wheels, m'],
-]
 /** The answers to the question of what a file is, where it names them. @type {Record<string, string>} */
 const ANSWERS = {
   truth: 'The true position',
@@ -172,11 +139,7 @@ export class FileForm {
     }
     if (!needs.includes('counting')) return
     /** @type {[string, string][]} */
-    const ways = [
-      ['total', 'from the start of the log'],
-      ['step', 'since the row before'],
-      ['restarted', 'from 0 again at each jump'],
-    ]
+    const ways = Object.entries(COUNTINGS)
     if (wheels.counting === null) ways.unshift(['', 'choose one'])
     this.choice(set, `${i} counting`, 'each row’s number is counted', ways, wheels.counting ?? '', (counting) => ({
       file: i,

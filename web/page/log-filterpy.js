@@ -256,6 +256,8 @@ def see(robot, sensor, mark, z):
     robot.correct(sensor, z, h, jacobian, [SIGMA_RANGE**2, SIGMA_BEARING**2][:len(z)])
 
 
+if len(sys.argv) != 2:
+    sys.exit(__doc__)
 with open(sys.argv[1], encoding="utf-8") as file:
     robot = replay(*read(file))
 print(json.dumps({"x": robot.x.tolist(), "P": robot.P.tolist()}))

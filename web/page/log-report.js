@@ -7,6 +7,7 @@ import { looksOf } from '../widgets/robot-log/looks.js'
 import { clock } from '../widgets/robot-log/words.js'
 import { grouped as likelihoodWords } from './log-likelihood.js'
 import { settingsOf } from './log-numbers.js'
+import { readings } from './log-report-files.js'
 import { headsOf, rowsOf } from './log-sources.js'
 
 /** @typedef {import('estimate-wasm').LogContents} LogContents */
@@ -31,6 +32,8 @@ export class Report {
     this.contents = null
     /** @type {string[]} */
     this.names = []
+    /** @type {[string, string][]} */
+    this.readings = []
     headed(into)
     const actions = part(document, into, 'p', 'log-actions')
     button(document, actions, 'Print the report', print)
@@ -52,10 +55,15 @@ export class Report {
     this.note.textContent = words
   }
 
-  /** @param {LogContents} contents @param {string[]} names of the files */
-  take(contents, names) {
+  /**
+   * @param {LogContents} contents
+   * @param {string[]} names of the files
+   * @param {import('estimate-wasm').LogFile[]} files as they are read; none of the page’s own log
+   */
+  take(contents, names, files) {
     this.contents = contents
     this.names = names
+    this.readings = readings(files)
   }
 
   /** What the log holds. @returns {[string, string][]} */
@@ -80,6 +88,8 @@ export class Report {
     this.say('')
     this.box.replaceChildren()
     this.table('The log', [], this.facts())
+    const read = [...this.readings, ...said(this.contents)]
+    if (read.length > 0) this.table('How it is read', [], read)
     const { kept } = looksOf(frame)
     const heads = kept ? ['', 'A', 'B'] : []
     const both = (/** @type {(one: Frame) => Words[][]} */ told) =>
@@ -127,6 +137,12 @@ export class Report {
     }
   }
 }
+
+/**
+ * What else is said of the log, such as what is read otherwise than its files have it.
+ * @param {LogContents | null} contents @returns {[string, string][]}
+ */
+const said = (contents) => (contents?.notes ?? []).map((note, i) => [i === 0 ? 'Besides' : '', note])
 
 /**
  * What a line of the table is called where the figure's name of it leans on its neighbours.

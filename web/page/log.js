@@ -228,9 +228,9 @@ class OwnLog {
     return figure.figure.run
   }
 
-  /** @param {any} contents @param {string[]} names of the files */
-  hold(contents, names) {
-    this.report.take(contents, names)
+  /** @param {any} contents @param {string[]} names of the files @param {import('estimate-wasm').LogFile[]} [files] */
+  hold(contents, names, files = []) {
+    this.report.take(contents, names, files)
     this.forms.take(contents)
     this.bench.begin(contents)
   }
@@ -260,7 +260,7 @@ class OwnLog {
     this.held = set
     const added = files.filter((/** @type {any} */ { again }) => again === null)
     const names = added.map((/** @type {any} */ { name }) => name)
-    this.hold(contents, names)
+    this.hold(contents, names, files)
     const told = this.forms.begin(contents, parameters, other, names)
     const begins = contents.opening ? ` The filter starts where the first ${openedBy(contents)} say.` : ''
     this.answer.say(`${this.facts()}${begins}`)

@@ -51,6 +51,8 @@ mod log_fit;
 #[cfg(feature = "log")]
 mod log_opening;
 #[cfg(feature = "log")]
+mod log_readings;
+#[cfg(feature = "log")]
 mod log_table;
 #[cfg(feature = "log")]
 mod log_verdict;

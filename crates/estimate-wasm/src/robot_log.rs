@@ -7,8 +7,9 @@ use crate::lab::{AnyLab, RobotLog};
 use crate::log_corrections;
 use crate::log_file::texts;
 use crate::log_opening;
+use crate::log_readings::{own, readings};
 use crate::object::Held;
-use estimate::drive::{BySensor, Drive, Opening, Sensor, Settings, Summary, lacks, log_likelihood};
+use estimate::drive::{Opening, Settings, Summary, lacks, log_likelihood};
 use estimate::validate::finite;
 use estimate::{Code, Error, Landmark};
 use js_sys::JsString;
@@ -39,6 +40,8 @@ export interface LogContents {
     lacks: "speed" | "turn rate" | null;
     /** Whether turn rates come from the encoders of two wheels alone: no gyro reads any. */
     wheels: boolean;
+    /** How far apart these two wheels stand, metres, as was said; else null. */
+    base: number | null;
     /** What is read otherwise than its files have it. */
     corrections: LogCorrections;
     /** How many readings each sensor has; one without any is not there. */
@@ -118,7 +121,7 @@ struct LogContents {
     rows: usize,
     notes: Vec<String>,
     names: Vec<String>,
-    wheels: bool,
+    base: Option<f64>,
     corrections: Corrections,
     /// Where it began, once that was asked: a search.
     opening: OnceCell<Option<Opening>>,
@@ -145,7 +148,8 @@ impl DriveLog {
                 ("lacks", lacks(&drive.rows, drive.motion).map_or(JsValue::NULL, |lacking| lacking.name().into())),
                 ("readings", readings(drive)),
                 ("own", own(drive)),
-                ("wheels", held.wheels.into()),
+                ("wheels", held.logged.is_by_wheels().into()),
+                ("base", held.base.map_or(JsValue::NULL, Into::into)),
                 ("corrections", log_corrections::shown(&held.corrections)),
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
@@ -179,8 +183,9 @@ impl DriveLog {
 impl DriveLog {
     /// A log that was read.
     pub(crate) fn keep(read: Understood) -> Self {
-        let Understood { log: robot_log::Log { drive, count }, notes, landmarks: names, wheels, corrections } = read;
-        let logged = Arc::new(LoggedDrive::new(drive));
+        let Understood { log: robot_log::Log { drive, count }, notes, landmarks: names, wheels, base, corrections } =
+            read;
+        let logged = Arc::new(LoggedDrive::new(drive).by_wheels(wheels));
         let handle = LOGS.with_borrow_mut(|logs| {
             let handle = logs.last().map_or(1.0, |(last, _)| last + 1.0);
             logs.retain(|(_, log)| log.strong_count() > 0);
@@ -188,28 +193,9 @@ impl DriveLog {
             handle
         });
         let opening = OnceCell::new();
-        let held = LogContents { handle, logged, rows: count, notes, names, wheels, corrections, opening };
+        let held = LogContents { handle, logged, rows: count, notes, names, base, corrections, opening };
         Self(Held::new(LOG, held))
     }
-}
-
-/// How many readings each sensor of a log has.
-fn readings(drive: &Drive) -> JsValue {
-    let mut counts = BySensor::<u32>::default();
-    for sensor in drive.rows.iter().filter_map(|row| Sensor::of(&row.event)) {
-        *counts.of_mut(sensor) += 1;
-    }
-    let there = counts.each().into_iter().filter(|(_, count)| **count > 0);
-    record(&there.map(|(name, count)| (name, (*count).into())).collect::<Vec<_>>())
-}
-
-/// The standard deviations that readings bring along.
-fn own(drive: &Drive) -> JsValue {
-    let of = |(name, sensor)| {
-        let (count, sigmas) = drive.own_sigmas(sensor)?;
-        Some((name, record(&[("count", count.into()), ("sigmas", crate::encode::list(&sigmas))])))
-    };
-    record(&[("fix", Sensor::Fix), ("heading", Sensor::Heading)].into_iter().filter_map(of).collect::<Vec<_>>())
 }
 
 /// The log behind a value of JavaScript.

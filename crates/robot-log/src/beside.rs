@@ -57,10 +57,11 @@ pub(crate) fn note(files: &[File]) -> Option<String> {
     ))
 }
 
-/// Whether the turns come from encoders of wheels alone: then there is no gyro.
-pub(crate) fn wheels(files: &[File]) -> bool {
-    let mut turning = files.iter().filter(|file| file.role().moves() && file.turns()).peekable();
-    turning.peek().is_some() && turning.all(|file| file.role() == Role::Encoders)
+/// Whether the turns come from encoders of wheels alone: then there is no gyro. And how far apart these stand, m.
+pub(crate) fn wheels(files: &[File]) -> (bool, Option<f64>) {
+    let turning: Vec<&File> = files.iter().filter(|file| file.role().moves() && file.turns()).collect();
+    let alone = !turning.is_empty() && turning.iter().all(|file| file.role() == Role::Encoders);
+    (alone, turning.first().filter(|_| alone).and_then(|file| file.wheels().base))
 }
 
 /// How the places of a file are said.

@@ -207,7 +207,7 @@ impl Files {
         }
         let own = self.files.iter().find(|file| file.frame() == Some(Frame::Own)).and_then(File::own);
         let mut read = reading.finish(own, self.corrections.kept)?;
-        read.wheels = beside::wheels(&self.files);
+        (read.wheels, read.base) = beside::wheels(&self.files);
         let corrected = self.corrections.onto(&mut read.log.drive, &read.landmarks);
         read.notes.extend(corrected);
         read.corrections = self.corrections.clone();

@@ -54,6 +54,8 @@ pub struct Understood {
     pub landmarks: Vec<String>,
     /// Whether turn rates come from the encoders of two wheels alone: no gyro reads any.
     pub wheels: bool,
+    /// How far apart these two wheels stand, m, as was said.
+    pub base: Option<f64>,
     /// What is read otherwise than the files have it.
     pub corrections: Corrections,
 }
@@ -61,6 +63,6 @@ pub struct Understood {
 impl From<Log> for Understood {
     fn from(log: Log) -> Self {
         let (notes, landmarks, corrections) = (Vec::new(), Vec::new(), Corrections::default());
-        Self { log, notes, landmarks, wheels: false, corrections }
+        Self { log, notes, landmarks, wheels: false, base: None, corrections }
     }
 }

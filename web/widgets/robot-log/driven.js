@@ -1,7 +1,7 @@
 /** Motion that reads too much or too little by a share, in words: by which factors, and which wheels do so. */
 
 import { decimal, fixed } from '../../draw/numbers.js'
-import { digits, plusMinus, rounded } from './sized.js'
+import { plusMinus, rounded } from './sized.js'
 
 /** @typedef {import('estimate-wasm').LogSuspect['sizes'][number]} Size */
 /** @typedef {import('./looks.js').Log | null} Log */
@@ -62,8 +62,12 @@ export function turnScaleSentence([size], log) {
 
 const DEGREES = 180 / Math.PI
 
-/** Turns that are off by an angle for each metre. @param {Size[]} sizes */
-export function unequalSentence([size]) {
+/** By how much one wheel is larger, where they stand so far apart. @param {Size} much @param {number | null} base */
+const by = (much, base) =>
+  base === null ? `${plusMinus(much, 100)} % for each metre between the two` : `${plusMinus(much, 100 * base)} %`
+
+/** Turns that are off by an angle for each metre. @param {Size[]} sizes @param {Log} log */
+export function unequalSentence([size], log) {
   const left = size.value > 0
   const much = { ...size, value: Math.abs(size.value) }
   const side = left ? 'left' : 'right'
@@ -72,7 +76,6 @@ export function unequalSentence([size]) {
   const [larger, other] = left ? ['right', 'left'] : ['left', 'right']
   return (
     `${turns}: take the turns so. ` +
-    `A ${larger} wheel that is larger than the ${other} by ${digits(much, 100)} % for each metre between the two ` +
-    'does the same.'
+    `A ${larger} wheel that is larger than the ${other} by ${by(much, log?.base ?? null)} does the same.`
   )
 }

@@ -198,7 +198,7 @@ export function sentence(suspect, truth, log = null) {
   if (fault === 'displaced') return displaced(landmarks ?? [], sizes, log)
   if (fault === 'landmark-bias') return biased(landmarks ?? [], sizes, log)
   if (fault === 'turn-scale') return turnScaleSentence(sizes, log)
-  if (fault === 'unequal-wheels') return unequalSentence(sizes)
+  if (fault === 'unequal-wheels') return unequalSentence(sizes, log)
   if (fault === 'antenna') return antennaSentence(suspect)
   if (fault === 'mirrored') return mirroredSentence(log)
   if (fault === 'mirrored-bearings') return MIRRORED_BEARINGS
@@ -232,16 +232,11 @@ export function sentence(suspect, truth, log = null) {
   if (name === 'turnBias')
     return (
       `The turn rate reads ${plusMinus(much)} rad/s too ${off > 0 ? 'much' : 'little'}: ` +
-      `let the filter learn its bias.${log?.wheels ? WHEELS : ''}`
+      'let the filter learn its bias.'
     )
   if (fault === 'scale') return scaleSentence(suspect)
   return `The ranges read ${offset(size)}: set their offset to ${digits(size)} m.`
 }
-
-/** What a wheel of another size does, where there is no gyro. */
-const WHEELS =
-  ' It comes from two wheels, and there is no gyro to have a bias: a wheel of another size than was said makes one ' +
-  'too, growing with the speed.'
 
 /** @param {number} number */
 const count = (number) => number.toLocaleString('en')

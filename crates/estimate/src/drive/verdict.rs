@@ -19,6 +19,7 @@ use crate::drive::course::{Course, Otherwise};
 use crate::drive::diluted::{diluted, noisy_turns};
 use crate::drive::evidence::{Against, Evidence, Trial};
 use crate::drive::fault::Fault;
+use crate::drive::fitted::Fitted;
 use crate::drive::gaps::{Gaps, gaps_and_end};
 use crate::drive::gates::Gates;
 use crate::drive::judgement::{
@@ -128,6 +129,14 @@ impl Verdict {
             noise: Noise::default(),
             suspects: Vec::new(),
         })
+    }
+
+    /// The same where two wheels alone say how the robot turned: without a gyro no turn rate has a bias, and wheels of
+    /// two sizes are what looks like one.
+    #[must_use]
+    pub fn by_wheels(mut self) -> Self {
+        self.first.tried.retain(|it| *it != Tried::Number(Fitted::TurnBias));
+        self
     }
 
     /// Looks at the next suspect, by one to some twenty replays; whether there is more to do.

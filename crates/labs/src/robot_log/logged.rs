@@ -17,6 +17,7 @@ const LEAST_BLOCK: u32 = 20;
 #[derive(Debug)]
 pub struct LoggedDrive {
     drive: Drive,
+    wheels: bool,
     motions: u32,
     sightings: u32,
     bearings: bool,
@@ -40,7 +41,18 @@ impl LoggedDrive {
             truth_times.push(pose.time);
         }
         let timeline = timeline(&drive);
-        Self { drive, motions, sightings, bearings, truth, truth_times, timeline }
+        Self { drive, wheels: false, motions, sightings, bearings, truth, truth_times, timeline }
+    }
+
+    /// The same, of which two wheels alone say how the robot turned.
+    #[must_use]
+    pub fn by_wheels(self, wheels: bool) -> Self {
+        Self { wheels, ..self }
+    }
+
+    /// Whether two wheels alone say how the robot turned: no gyro does.
+    pub fn is_by_wheels(&self) -> bool {
+        self.wheels
     }
 
     /// What the log says.

@@ -21,6 +21,7 @@ impl LogVerdict {
     pub fn new(logged: Arc<LoggedDrive>, params: LogParams) -> Result<Self, Error> {
         params.check()?;
         let verdict = Verdict::new(logged.drive(), Settings::from(params))?;
+        let verdict = if logged.is_by_wheels() { verdict.by_wheels() } else { verdict };
         Ok(Self { logged, verdict })
     }
 
