@@ -83,3 +83,17 @@ test('at 900 px the strip stands beside the panels and stays in sight', async (t
   assert.ok(strip.x >= map.x + map.width, 'on the right')
   assert.ok(strip.y >= 0 && strip.y < 1100, 'in sight')
 })
+
+test('the report says how each file is read', async (t) => {
+  const { page, it, choose } = await openLog(t)
+  await choose(
+    file('wheels.csv', `t,v_left_mps,v_right_mps\n${Array.from({ length: 60 }, (_, i) => `${i},1,1.01`).join('\n')}`),
+    file('gps.csv', `t,x,y\n${Array.from({ length: 60 }, (_, i) => `${i},${i},${Math.cos(5 * i)}`).join('\n')}`),
+  )
+  const base = page.getByLabel('distance between the wheels, m')
+  await base.fill('0.5')
+  await base.press('Tab')
+  await until(it, ({ summary }) => summary.used === 60, 'the fixes')
+  assert.match(await rowOf(page, 'wheels\\.csv').innerText(), /left from v_left_mps, m\/s; .* the wheels, m: 0\.5\.$/)
+  assert.match(await rowOf(page, 'gps\\.csv').innerText(), /^sensors: .* x from x, m; y from y, m\.$/)
+})

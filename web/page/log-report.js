@@ -89,7 +89,7 @@ export class Report {
     this.box.replaceChildren()
     this.table('The log', [], this.facts())
     const read = [...this.readings, ...said(this.contents)]
-    if (read.length > 0) this.table('How it is read', [], read)
+    if (read.length > 0) this.table('How it is read', [], read, ' has-words')
     const { kept } = looksOf(frame)
     const heads = kept ? ['', 'A', 'B'] : []
     const both = (/** @type {(one: Frame) => Words[][]} */ told) =>
@@ -116,13 +116,17 @@ export class Report {
       )
   }
 
-  /** @param {string} title @param {string[]} heads @param {Words[][]} rows the first cell of each is its head */
-  table(title, heads, rows) {
+  /**
+   * @param {string} title @param {string[]} heads
+   * @param {Words[][]} rows the first cell of each is its head
+   * @param {string} [kind] of sentences, which need more room than numbers
+   */
+  table(title, heads, rows, kind = '') {
     const table = part(
       document,
       part(document, this.box, 'div', 'table-box'),
       'table',
-      heads.length > 0 ? 'log-table has-heads' : 'log-table',
+      `log-table${heads.length > 0 ? ' has-heads' : ''}${kind}`,
     )
     part(document, table, 'caption', '').textContent = title
     if (heads.length > 0) {
