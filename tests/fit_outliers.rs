@@ -2,7 +2,8 @@
 //! begins. Natively only.
 
 use chapter_tests::planted::{Log, WORLDS};
-use estimate::drive::{BySensor, Event, Fit, FitResult, Fitted, Settings};
+use estimate::drive::{BySensor, Drive, Event, Fit, FitResult, Fitted, Motion, Row, Settings, Truth};
+use std::f64::consts::FRAC_PI_2;
 
 /// Beacons, a car, a mower with odometry.
 const TRIED: [usize; 3] = [0, 2, 4];
@@ -55,6 +56,9 @@ fn behind_a_gate_a_fit_finds_what_it_would_without_outliers() {
             assert!(found.settled && off < 1.0, "{world} {n} {level}: {off} {found:?} {clean:?}");
             let share = f64::from(found.outliers.expect("a gate")) / f64::from(found.readings);
             assert!((share - 0.05).abs() < 0.008, "{world} {n}: {share}");
+            // A narrow gate refuses sound readings besides.
+            let refused = f64::from(found.refused.expect("a gate")) / f64::from(found.readings);
+            assert!(refused - share < 2.0 * (1.0 - level) + 0.01, "{world} {n} {level}: {refused} {share}");
             assert!(f64::from(found.beyond) < 2.0 * found.expected * f64::from(found.readings) + 3.0);
         }
         let open = fitted(&log, log.settings);
@@ -87,4 +91,35 @@ fn without_outliers_a_gate_changes_next_to_nothing() {
         let off = apart(&open, &behind);
         assert!(off < 0.6, "{world} {n}: {off} {open:?} {behind:?}");
     }
+}
+
+/// A robot that drives straight and turns at corners, of which nothing says so: a filter that has refused the fixes
+/// behind one corner goes straight on, and refuses all that follow.
+#[test]
+fn gates_that_shut_the_filter_out_are_seen_by_what_they_refuse() {
+    let mut rows = Vec::new();
+    let [mut x, mut y, mut heading] = [0.0, 0.0, 0.0_f64];
+    for k in 0..3000_u32 {
+        let time = 0.1 * f64::from(k);
+        let corner = k % 300 >= 280;
+        heading += if corner { 0.1 * FRAC_PI_2 / 2.0 } else { 0.0 };
+        (x, y) = (x + 0.4 * heading.cos(), y + 0.4 * heading.sin());
+        rows.push(Row::new(time, Event::Speed { v: 4.0 }));
+        if k % 10 == 0 {
+            let noise = |phase: f64| (f64::from(k) * phase).sin();
+            rows.push(Row::new(time, Event::Position { x: x + noise(0.7), y: y + noise(1.3), sigma: None }));
+        }
+    }
+    let drive = Drive { landmarks: Vec::new(), truth: Truth::default(), rows, motion: Motion::Velocity };
+    let settings = Settings { start: Some([0.0; 3]), gate: BySensor::all(Some(0.999)), ..Settings::default() };
+    let only = [Fitted::SigmaTurn, Fitted::SigmaFix];
+    let find = |gate| {
+        let mut fit = Fit::only(&drive, Settings { gate, ..settings }, &only).expect("fixes");
+        while fit.step(&drive).expect("a replay") {}
+        fit.found()
+    };
+    let found = find(settings.gate);
+    let share = |count: Option<u32>| f64::from(count.expect("a gate")) / f64::from(found.readings);
+    assert!(share(found.refused) > 0.5 && share(found.outliers) < 0.02, "{found:?}");
+    assert_eq!(find(BySensor::all(None)).refused, None);
 }

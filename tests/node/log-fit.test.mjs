@@ -81,7 +81,8 @@ test('what a fit has found has as many digits as it is known to', () => {
 
 test('a fit that outliers have bent says so, and a sound one does not', () => {
   /** @param {number} beyond @param {number} readings @param {number | null} [outliers] */
-  const bent = (beyond, readings, outliers = null) => bentBy({ beyond, expected: 0.001, readings, outliers })
+  const bent = (beyond, readings, outliers = null, refused = outliers) =>
+    bentBy({ beyond, expected: 0.001, readings, outliers, refused })
   const words =
     /^2\.0 % of these readings lie beyond what should hold 99\.9 % of them: outliers, or .* or switch on the gate/
   assert.match(bent(40, 2000), words)
@@ -91,6 +92,12 @@ test('a fit that outliers have bent says so, and a sound one does not', () => {
     /^2\.0 % of the others lie beyond .* a start or another fault that the verdict names, .* Mend that first\.$/
   assert.match(bent(40, 2100, 100), gated, 'of the readings that are left')
   assert.match(bent(0, 2000, 1001), /^Most readings count as outliers/)
+  assert.match(
+    bent(0, 2000, 20, 480),
+    /^Under what was found the gates refuse 24 % .* loses its way, .* Switch the gates off/,
+  )
+  assert.equal(bent(0, 2000, 20, 300), '', 'a narrow gate')
+  assert.equal(bent(0, 2000, 200, 700), '', 'many outliers')
   assert.equal(bent(0, 2000, 999), '')
 })
 

@@ -71,12 +71,38 @@ const MOST_OUT = 0.5
 export const mostAreOut = ({ readings, outliers }) => (outliers ?? 0) > MOST_OUT * readings
 
 /**
- * What has bent a fit: outliers of sensors without a gate, or a gate that refuses most.
- * @param {Pick<LogFound, 'beyond' | 'expected' | 'readings' | 'outliers'>} found
+ * Gates that refuse this share more than outliers are shut the filter out: it loses its way behind them. Not where
+ * there are as many outliers as this: another start than the one that is set may be what they refuse then.
  */
-export function bentBy({ beyond, expected, readings, outliers }) {
+const SHUT_OUT = 0.15
+const MANY_OUTLIERS = 0.05
+
+/**
+ * Whether the gates refuse far more than what is an outlier.
+ * @param {Pick<LogFound, 'readings' | 'outliers' | 'refused'>} found
+ */
+export function shutOut({ readings, outliers, refused }) {
+  const out = outliers ?? 0
+  return out < MANY_OUTLIERS * readings && (refused ?? 0) > out + SHUT_OUT * readings
+}
+
+/** Why gates stay off. @param {Pick<LogFound, 'readings' | 'refused'>} found */
+export const shutWords = ({ readings, refused }) =>
+  `Behind gates the filter would lose its way, and refuse ${percent((refused ?? 0) / readings)} of the readings: ` +
+  'they stay off.'
+
+/**
+ * What has bent a fit: outliers of sensors without a gate, or a gate that refuses most.
+ * @param {Pick<LogFound, 'beyond' | 'expected' | 'readings' | 'outliers' | 'refused'>} found
+ */
+export function bentBy({ beyond, expected, readings, outliers, refused }) {
   if (mostAreOut({ readings, outliers }))
     return 'Most readings count as outliers, so something else is wrong, and nothing of it can be taken.'
+  if (shutOut({ readings, outliers, refused }))
+    return (
+      `Under what was found the gates refuse ${percent((refused ?? 0) / readings)} of the readings: behind them the ` +
+      'filter loses its way, and nothing of it can be taken. Switch the gates off, and fit again.'
+    )
   const used = readings - (outliers ?? 0)
   if (!(beyond > 5 * expected * used && beyond > expected * used + 5)) return ''
   const far = `${percent(beyond / used)} of ${outliers ? 'the others' : 'these readings'} lie beyond what should hold`

@@ -4,7 +4,7 @@
  */
 
 import { button, part } from '../draw/dom.js'
-import { bentBy, mostAreOut, rounded, untold, vague } from './log-fit-words.js'
+import { bentBy, mostAreOut, rounded, shutOut, shutWords, untold, vague } from './log-fit-words.js'
 import { GATE, gated, remedies } from './log-remedy.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
@@ -134,11 +134,15 @@ export class MendBar {
     this.wait()
     this.words.textContent = 'Fitting …'
     this.bar.removeAttribute('value')
-    const gates = remedy.ungated ? null : GATE
-    const answer = await this.orders.fit(names, gates, ({ done, of }) => {
-      this.bar.max = of
-      this.bar.value = done
-    })
+    const find = (/** @type {number | null} */ gates) =>
+      this.orders.fit(names, gates, ({ done, of }) => {
+        this.bar.max = of
+        this.bar.value = done
+      })
+    const behind = await find(remedy.ungated ? null : GATE)
+    const shut = behind.kind === 'fit' && !mostAreOut(behind.found) && shutOut(behind.found)
+    if (this.fitting !== remedy) return
+    const answer = shut ? await find(null) : behind
     if (this.fitting !== remedy) return
     if (answer.kind !== 'fit') {
       this.fitting = null
@@ -149,7 +153,8 @@ export class MendBar {
       this.fitting = null
       return this.free(bentBy(answer.found))
     }
-    const { gate, words } = remedy.ungated ? { gate: { gate: null }, words: '' } : gated(answer.found, wanted)
+    const off = { gate: { gate: null }, words: shut ? shutWords(behind.found) : '' }
+    const { gate, words } = remedy.ungated || shut ? off : gated(answer.found, wanted)
     const free = untold(numbers, wanted)
     const found = { ...rounded(numbers), ...rounded(free) }
     const patch = await this.orders.settled({ ...found, ...gate })

@@ -34,6 +34,11 @@ export interface LogFound {
     /** How many readings are counted, and how many of them are taken for outliers; null where no gate is on. */
     readings: number;
     outliers: number | null;
+    /**
+     * How many the gates refuse, as they are set, under what was found: far more where a filter that once refuses loses
+     * its way; null where no gate is on, 0 before the search has ended.
+     */
+    refused: number | null;
     /** Replays so far, and how many there may be at most. */
     replays: [number, number];
     /** Whether the search has ended where no step leads up. */
@@ -113,6 +118,7 @@ fn shown(found: &FitResult) -> JsValue {
         ("logLikelihood", list(&found.log_likelihood)),
         ("readings", found.readings.into()),
         ("outliers", found.outliers.map_or(JsValue::NULL, Into::into)),
+        ("refused", found.refused.map_or(JsValue::NULL, Into::into)),
         ("replays", list(&found.replays.map(f64::from))),
         ("settled", found.settled.into()),
         ("beyond", found.beyond.into()),

@@ -16,9 +16,9 @@ use crate::drive::fitted::Fitted;
 use crate::drive::flat::flat;
 use crate::drive::gates::MUCH;
 use crate::drive::likelihood::{beyond, with_outliers, without_outliers};
-use crate::drive::moves::Moves;
+use crate::drive::moves::{Moves, mean_range};
 use crate::drive::pace::Paced;
-use crate::drive::row::{Drive, Event};
+use crate::drive::row::Drive;
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::settings::Settings;
 use crate::drive::told::Told;
@@ -64,6 +64,9 @@ pub struct Fit {
     outliers: u32,
     /// What the outliers add to the log-likelihood, once the search goes on without them.
     of_outliers: f64,
+    /// The gates as they are set, and how many readings they refuse under what was found.
+    set: BySensor<Option<f64>>,
+    refused: u32,
     /// The gates behind which outliers are looked for.
     gates: BySensor<Option<f64>>,
     /// The drive without its outliers, once they are known.
@@ -100,6 +103,7 @@ impl Fit {
     }
 
     fn begin(drive: &Drive, settings: Settings, which: impl Fn(&Drive, &Course) -> Vec<Fitted>) -> Result<Self, Error> {
+        let set = settings.gate;
         let settings = Settings { gate: settings.gate.map(|gate| gate.map(|_| OUTLIER_GATE)), ..settings };
         let course = Course::new(drive, settings)?;
         let [first, last] = drive.span().unwrap_or_default();
@@ -125,6 +129,8 @@ impl Fit {
             readings: 0,
             outliers: 0,
             of_outliers: 0.0,
+            set,
+            refused: 0,
             gates: settings.gate,
             clean: None,
             replays: 0,
@@ -243,6 +249,8 @@ impl Fit {
         };
         let delays = self.numbers.iter().enumerate().filter(|(_, number)| number.is_delay());
         (self.flat, self.beyond) = (Some(delays.filter_map(stair).collect()), beyond);
+        let behind = Settings { gate: self.set, ..self.set_to(&self.at) };
+        self.refused = with_outliers(drive, behind, self.from)?.1[1];
         Ok(())
     }
 
@@ -272,6 +280,7 @@ impl Fit {
             log_likelihood: [self.first.unwrap_or(self.best), self.best + self.of_outliers],
             readings: self.readings,
             outliers: (self.gates != BySensor::all(None)).then_some(self.outliers),
+            refused: (self.gates != BySensor::all(None)).then_some(self.refused),
             replays: [self.replays, most],
             settled: self.settled,
             beyond: self.beyond,
@@ -283,14 +292,4 @@ impl Fit {
             flat: self.flat.clone().unwrap_or_default(),
         }
     }
-}
-
-/// The mean of the ranges, m.
-fn mean_range(drive: &Drive) -> f64 {
-    let ranges = drive.rows.iter().filter_map(|row| match row.event {
-        Event::Range { range, .. } | Event::RangeBearing { range, .. } => Some(range),
-        _ => None,
-    });
-    let (sum, count) = ranges.fold((0.0, 0_u32), |(sum, count), range| (sum + range, count + 1));
-    if count == 0 { 0.0 } else { sum / f64::from(count) }
 }

@@ -18,6 +18,9 @@ pub struct FitResult {
     pub readings: u32,
     /// How many of them are taken for outliers under what was found; `None` where no gate is on.
     pub outliers: Option<u32>,
+    /// How many of them the gates refuse, as they are set, under what was found: far more where a filter that once
+    /// refuses loses its way. `None` where no gate is on, 0 before the search has ended.
+    pub refused: Option<u32>,
     /// Replays so far, and how many there may be at most.
     pub replays: [u32; 2],
     /// Whether the search has ended where no step leads up, and not at the most replays.

@@ -5,6 +5,7 @@
 //! along which neither leads up by itself.
 
 use crate::drive::fitted::Fitted;
+use crate::drive::row::{Drive, Event};
 use alloc::vec::Vec;
 
 /// A step that has led up is followed by a longer one, one that has not by a shorter one.
@@ -104,4 +105,14 @@ impl Moves {
         }
         (self.now, self.turned, self.from) = (0, false, at.to_vec());
     }
+}
+
+/// The mean of the ranges, m.
+pub(crate) fn mean_range(drive: &Drive) -> f64 {
+    let ranges = drive.rows.iter().filter_map(|row| match row.event {
+        Event::Range { range, .. } | Event::RangeBearing { range, .. } => Some(range),
+        _ => None,
+    });
+    let (sum, count) = ranges.fold((0.0, 0_u32), |(sum, count), range| (sum + range, count + 1));
+    if count == 0 { 0.0 } else { sum / f64::from(count) }
 }
