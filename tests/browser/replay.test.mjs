@@ -31,24 +31,47 @@ async function alive(page, tag) {
   return element
 }
 
-test('a link to step 100,000 of a crowded map leaves the page responsive, and can be given up', async (t) => {
-  const page = await open(t, { at: probeAt(100_000, HEAP), prepare: (it) => noteBar(it, 'observability-probe') })
-  const probe = await alive(page, 'observability-probe')
-  await probe.locator('.live .progress').waitFor()
-  assert.match(await probe.locator('.live .progress').innerText(), /Computing step [\d,]+ of 100,000/)
-  // The usual picture meanwhile, with the controls of the link.
-  assert.equal((await frameOf(probe)).step, 240)
-  assert.ok(await probe.getByRole('checkbox', { name: 'forget the map' }).isChecked())
-  assert.deepEqual([(await stateOf(probe)).step, (await stateOf(probe)).params.forget], [100_000, true])
-  // Pressed in the page itself: under load the replay would have ended before a press came from here.
-  await page.waitForFunction(() => {
-    if (new Set(globalThis.bars).size < 4) return false
-    const buttons = [...document.querySelectorAll('observability-probe .live .progress button')]
-    const cancel = /** @type {HTMLElement | undefined} */ (buttons.find((one) => one.textContent === 'Cancel'))
-    cancel?.focus()
-    cancel?.click()
-    return Boolean(cancel)
+/**
+ * Gives the probe's replay up once its bar has moved, in the animation frame that shows it: a look or a press from here
+ * may come when the replay has ended. Before, it notes what the page shows meanwhile.
+ */
+const giveUp = (page) =>
+  page.addInitScript(() => {
+    const look = () => {
+      const probe = document.querySelector('observability-probe')
+      const box = probe?.querySelector('.live .progress:not([hidden])')
+      const cancel = [...(box?.querySelectorAll('button') ?? [])].find((one) => one.textContent === 'Cancel')
+      const forget = [...(probe?.querySelectorAll('.live label') ?? [])].find((one) =>
+        one.textContent?.includes('forget the map'),
+      )
+      if (new Set(globalThis.bars).size < 4 || !cancel) return requestAnimationFrame(look)
+      const { frame, state } = /** @type {any} */ (probe)
+      globalThis.meanwhile = {
+        words: box.textContent,
+        step: frame.step,
+        state: [state.step, state.params.forget],
+        forget: forget?.querySelector('input')?.checked ?? null,
+      }
+      cancel.focus()
+      cancel.click()
+    }
+    look()
   })
+
+test('a link to step 100,000 of a crowded map leaves the page responsive, and can be given up', async (t) => {
+  const page = await open(t, {
+    at: probeAt(100_000, HEAP),
+    prepare: async (it) => {
+      await noteBar(it, 'observability-probe')
+      await giveUp(it)
+    },
+  })
+  const probe = await alive(page, 'observability-probe')
+  await page.waitForFunction(() => globalThis.meanwhile)
+  const { words, ...meanwhile } = await page.evaluate(() => globalThis.meanwhile)
+  assert.match(words, /Computing step [\d,]+ of 100,000/)
+  // The usual picture meanwhile, with the controls of the link.
+  assert.deepEqual(meanwhile, { step: 240, state: [100_000, true], forget: true })
   const bars = await page.evaluate(() => globalThis.bars)
   assert.ok(
     bars.every((value, i) => i === 0 || value >= bars[i - 1]),
