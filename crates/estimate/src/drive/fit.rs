@@ -67,8 +67,6 @@ pub struct Fit {
     /// The gates as they are set, and how many readings they refuse under what was found.
     set: BySensor<Option<f64>>,
     refused: u32,
-    /// The gates behind which outliers are looked for.
-    gates: BySensor<Option<f64>>,
     /// The drive without its outliers, once they are known.
     clean: Option<Drive>,
     replays: u32,
@@ -104,7 +102,7 @@ impl Fit {
 
     fn begin(drive: &Drive, settings: Settings, which: impl Fn(&Drive, &Course) -> Vec<Fitted>) -> Result<Self, Error> {
         let set = settings.gate;
-        let settings = Settings { gate: settings.gate.map(|gate| gate.map(|_| OUTLIER_GATE)), ..settings };
+        let settings = Settings { gate: for_outliers(set), ..settings };
         let course = Course::new(drive, settings)?;
         let [first, last] = drive.span().unwrap_or_default();
         let most = most_delay(last - first);
@@ -131,7 +129,6 @@ impl Fit {
             of_outliers: 0.0,
             set,
             refused: 0,
-            gates: settings.gate,
             clean: None,
             replays: 0,
             until: MOST_REPLAYS,
@@ -216,7 +213,7 @@ impl Fit {
 
     /// Goes on behind the gates from what was found without them, or from the start where that is likelier.
     fn put_back(&mut self, drive: &Drive, began: Vec<f64>) -> Result<(), Error> {
-        self.settings.gate = self.gates;
+        self.settings.gate = for_outliers(self.set);
         let (first, value) = (self.first.unwrap_or(f64::NEG_INFINITY), self.replay(drive, &self.at)?.0);
         if value < first {
             self.at = began;
@@ -272,15 +269,15 @@ impl Fit {
         let sigma = |i: usize| sigmas.as_ref().and_then(|sigmas| sigmas[i]);
         let number = |(i, number): (usize, &Fitted)| (*number, number.value(self.at[i]), sigma(i));
         let edge = |(i, above): (usize, f64)| (self.numbers[i], self.numbers[i].value(self.at[i] + above));
-        let further = if self.gates == BySensor::all(None) || self.clean.is_some() { 0 } else { MOST_REPLAYS };
+        let further = if self.set == BySensor::all(None) || self.clean.is_some() { 0 } else { MOST_REPLAYS };
         let most = self.until + further + Told::most(self.numbers.len());
         FitResult {
             numbers: self.numbers.iter().enumerate().map(number).collect(),
             at_most: self.told.iter().flat_map(Told::edges).map(edge).collect(),
             log_likelihood: [self.first.unwrap_or(self.best), self.best + self.of_outliers],
             readings: self.readings,
-            outliers: (self.gates != BySensor::all(None)).then_some(self.outliers),
-            refused: (self.gates != BySensor::all(None)).then_some(self.refused),
+            outliers: (self.set != BySensor::all(None)).then_some(self.outliers),
+            refused: (self.set != BySensor::all(None)).then_some(self.refused),
             replays: [self.replays, most],
             settled: self.settled,
             beyond: self.beyond,
@@ -292,4 +289,9 @@ impl Fit {
             flat: self.flat.clone().unwrap_or_default(),
         }
     }
+}
+
+/// The gates behind which outliers are looked for, whatever the level of those that are set.
+fn for_outliers(set: BySensor<Option<f64>>) -> BySensor<Option<f64>> {
+    set.map(|gate| gate.map(|_| OUTLIER_GATE))
 }
