@@ -1,5 +1,6 @@
 //! The names of columns as words: in small letters, without accents, parted at points, blanks, capitals and digits.
 
+use crate::axes::upward;
 use crate::nested::BELOW;
 use crate::role::Quantity;
 use crate::unit::{self, Unit};
@@ -97,7 +98,7 @@ pub(crate) fn candidates(value: &str, quantity: Quantity, names: &[Name]) -> Vec
             return found;
         }
     }
-    Vec::new()
+    if value == "omega" { upward(names).into_iter().collect() } else { Vec::new() }
 }
 
 /// The columns of the left and the right one of two wheels, where there are both.

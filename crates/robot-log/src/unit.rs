@@ -87,7 +87,7 @@ const HEADINGS: [Unit; 6] = [
     unit(QUATERNION, 1.0, &[]),
 ];
 const RATES: [Unit; 6] = [
-    unit("rad/s", 1.0, &["rad s", "rads", "rad"]),
+    unit("rad/s", 1.0, &["rad s", "radps", "rads", "rad"]),
     unit(
         "deg/s",
         DEGREE,

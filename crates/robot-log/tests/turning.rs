@@ -39,6 +39,20 @@ fn of_two_turn_rates_the_gyro_s_is_taken_and_it_is_said() {
 }
 
 #[test]
+fn a_gyro_that_says_its_axis_and_its_unit_alone_turns_the_robot() {
+    let speed = ("wheels.csv", "time_s,v_mps\n0,1\n0.1,1.1\n0.2,1.2\n");
+    let one = files(&[speed, ("gyro.csv", "time_s,z_rad_s\n0.05,0.3\n0.15,0.31\n0.25,0.32\n")]);
+    assert_eq!(turns(&rows(&one)), [0.3, 0.31, 0.32]);
+    // Of three axes the reader says which one points up.
+    let three = files(&[speed, ("gyro.csv", "time_s,x_rad_s,y_rad_s,z_rad_s\n0.05,0,0,0.3\n0.15,0,0,0.31\n")]);
+    let asked = three.files()[1].asks();
+    assert!(asked.iter().any(|it| it.contains("turn rate")), "{asked:?}");
+    // A height is no turn, and a height's rate is none either.
+    let climb = files(&[speed, ("lift.csv", "time_s,z,z_mps,z_rad\n0.05,0.3,0.1,0\n0.15,0.31,0.1,0\n")]);
+    assert_eq!(climb.files()[1].role(), Role::Unused);
+}
+
+#[test]
 fn encoders_beside_a_gyro_read_the_way_that_they_count_as_a_speed() {
     let ticks = "time_s,left_ticks,right_ticks\n0,0,0\n0.1,100,110\n0.1,110,120\n0.3,200,220\n";
     let mut both = files(&[("encoders.csv", ticks), GYRO]);
