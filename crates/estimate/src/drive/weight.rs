@@ -18,13 +18,14 @@ const CLEAR_OF_ITSELF: f64 = 2.0;
 
 impl Size {
     /// Whether what the readings tell is another value than is set, and not within its own uncertainty of it. What has
-    /// no uncertainty that could be said has only its gain to be judged by. A `ratio` is compared by its logarithm.
+    /// no uncertainty that could be said has only its gain to be judged by. A `ratio` is compared by its logarithm; one
+    /// that is less than is set, and not known to a factor e, is told from above alone, and has its gain.
     fn is_clear(&self, ratio: bool) -> bool {
         let (off, sigma) = match ratio {
             true => (libm::log(self.value / self.now), self.sigma / self.value),
             false => (self.value - self.now, self.sigma),
         };
-        !sigma.is_finite() || off.abs() >= CLEAR_OF_ITSELF * sigma
+        !sigma.is_finite() || (ratio && off < 0.0 && sigma > 1.0) || off.abs() >= CLEAR_OF_ITSELF * sigma
     }
 }
 
@@ -176,6 +177,7 @@ mod tests {
         // A σ is compared by its logarithm: to a tenth, whatever is left of it.
         let sigma = |size| weighed(Fault::Sigma, Some(Fitted::SigmaTurn), size);
         assert_eq!([sigma([1.0, 0.1, 0.1]), sigma([1.0, 1.3, 0.2])], [5.0, 0.0]);
+        assert_eq!([sigma([0.02, 1e-4, 3e-4]), sigma([0.02, 0.015, 0.008])], [5.0, 0.0], "one is told from above");
         assert_eq!(sigma([1.0, 1e-4, f64::INFINITY]), 5.0, "what is not told at all has its gain");
         assert_eq!(weighed(Fault::Tails, None, [0.0, 0.003, 0.002]), 5.0, "outliers are counted");
     }
