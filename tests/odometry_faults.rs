@@ -2,7 +2,7 @@
 //! or another base do. Natively only.
 
 use chapter_tests::planted::{Log, WORLDS, judged};
-use estimate::drive::{Event, Fault, Fitted, Standing, Verdict};
+use estimate::drive::{Event, Fault, Fitted, Size, Standing, Suspect, Verdict};
 
 /// A sound log of the world that moves by odometry, which then reads so many times the distances and the turns.
 fn reads(n: u64, [far, much]: [f64; 2]) -> Log {
@@ -138,5 +138,60 @@ fn of_two_wheels_alone_no_bias_is_looked_for() {
         assert!(suspects.iter().all(|it| it.fault != Fault::Bias || it.number == Some(Fitted::Offset)), "{suspects:?}");
         assert_eq!(suspects[0].fault, Fault::UnequalWheels, "{:?}", suspects[0]);
         assert!((suspects[0].sizes[0].value - swerve).abs() < 3.0 * suspects[0].sizes[0].sigma, "{:?}", suspects[0]);
+    }
+}
+
+/// What the verdict names first of two wheels that read these speeds and turn rates of a sound log.
+fn by_wheels(log: &Log) -> Suspect {
+    let mut verdict = Verdict::new(&log.drive, log.settings).expect("readings").by_wheels();
+    while verdict.step(&log.drive).expect("a step") {}
+    verdict.found().suspects.remove(0)
+}
+
+/// A sound log whose motion reads what this makes of it.
+fn read_as(n: u64, made: impl Fn([f64; 2]) -> [f64; 2]) -> Log {
+    let world = WORLDS.iter().find(|world| world.name == "compass").expect("a world");
+    let mut log = world.sound(9750 + n, false);
+    for row in &mut log.drive.rows {
+        if let Event::Velocity { v, omega } = &mut row.event {
+            [*v, *omega] = made([*v, *omega]);
+        }
+    }
+    log
+}
+
+fn is_near(size: &Size, wanted: f64) -> bool {
+    (size.value - wanted).abs() < 3.0 * size.sigma && size.sigma < 0.02
+}
+
+/// One wheel that is larger than it was said turns the robot aside, and makes ways and turns larger by half of that: no
+/// base is accused of it.
+#[test]
+fn of_one_wheel_alone_both_wheels_are_told_after_the_turn_of_a_metre() {
+    let (base, larger) = (1.0, 0.05);
+    let log = read_as(0, |[v, omega]| {
+        let [left, right] = [v - 0.5 * base * omega, (v + 0.5 * base * omega) / (1.0 + larger)];
+        [0.5 * (left + right), (right - left) / base]
+    });
+    let turned = by_wheels(&log);
+    assert_eq!(turned.fault, Fault::UnequalWheels, "{turned:?}");
+    assert!((turned.sizes[0].value - larger / base).abs() < 3.0 * turned.sizes[0].sigma + 0.003, "{turned:?}");
+    let left = by_wheels(&unequal(log, -turned.sizes[0].value));
+    assert_eq!(left.fault, Fault::WheelSize, "{left:?}");
+    assert!(is_near(&left.sizes[0], 0.5 * larger), "{left:?}");
+}
+
+/// Another size of both wheels, another distance between them, and both.
+#[test]
+fn of_two_wheels_their_size_and_their_distance_are_told_apart() {
+    for (n, [far, much]) in [(1, [1.05, 1.05]), (2, [1.0, 0.92]), (3, [1.06, 0.95])] {
+        let first = by_wheels(&read_as(n, |[v, omega]| [v / far, omega / much]));
+        let wanted: (_, &[f64]) = match [far, much] {
+            [1.0, _] => (Fault::TurnScale, &[much]),
+            _ if far == much => (Fault::WheelSize, &[far]),
+            _ => (Fault::Odometry, &[far, much]),
+        };
+        assert_eq!(first.fault, wanted.0, "{n}: {first:?}");
+        assert!(first.sizes.iter().zip(wanted.1).all(|(size, by)| is_near(size, by - 1.0)), "{n}: {first:?}");
     }
 }

@@ -55,7 +55,7 @@ test('a landmark that stands elsewhere is taken there at a press, and where its 
   assert.equal(await answer.getByText('is taken at').count(), 0)
   assert.equal(await back.isVisible(), false)
   await take.click()
-  const all = answer.getByRole('button', { name: 'Read it as they have it' })
+  const all = answer.getByRole('button', { name: 'Take it all back' })
   await all.waitFor()
   await page.waitForFunction((before) => document.querySelector('.log-report')?.textContent !== before, before)
   const [written] = await Promise.all([

@@ -276,7 +276,7 @@ for (const width of [390, 900, 1280]) {
 
 test('on the page no title of a plot reaches out of its panel', async (t) => {
   const { page } = await openLog(t)
-  await page.getByRole('button', { name: 'Why?' }).click()
+  await page.getByRole('button', { name: 'More panels' }).click()
   for (const width of [640, 768, 900, 1024]) {
     await page.setViewportSize({ width, height: 900 })
     await page.waitForFunction(() =>

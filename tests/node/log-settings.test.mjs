@@ -190,6 +190,11 @@ test('of another log the settings say nothing of where this one begins', () => {
   assert.match(startsElsewhere(settings, tuesday)?.words ?? '', /start is this log’s own/)
   assert.deepEqual(startsElsewhere(settings, { ...tuesday, opening: null })?.patch, {})
   assert.equal(startsElsewhere(settings, { ...tuesday, truth: true }), null)
+  // Of the same length and with as many readings it is another one all the same, as it begins elsewhere.
+  assert.deepEqual(startsElsewhere(settings, log(80))?.patch.start, tuesday.opening.start)
+  const [x, y, theta] = monday.opening.start
+  const rounded = { ...monday, opening: { ...monday.opening, start: [x + 1e-5, y, theta] } }
+  assert.equal(startsElsewhere(settings, rounded), null)
 })
 
 test('a log in the book’s own format needs no columns', () => {
@@ -198,7 +203,8 @@ test('a log in the book’s own format needs no columns', () => {
 })
 
 test('what is not known or does not fit is refused by its name', () => {
-  const written = JSON.parse(settingsText(PARAMS, corrected().files()))
+  const contents = opened(['fixes.csv', 'V,0,1,0\nP,1,1,0\nP,2,2,0\n']).read().contents()
+  const written = JSON.parse(settingsText(PARAMS, corrected().files(), contents))
   const of = (change) => {
     const copy = structuredClone(written)
     change(copy)
@@ -218,6 +224,7 @@ test('what is not known or does not fit is refused by its name', () => {
     [(it) => (it.settings.start = [1, 2]), /settings\.start is \[1,2\]/],
     [(it) => (it.settings.every = -1), /settings\.every/],
     [(it) => (it.files = {}), /files is no list/],
+    [(it) => (it.log.start = [1, '2', 0]), /log\.start is \[1,"2",0\]/],
     [(it) => delete it.files[1].role, /files\[1\] has no role/],
     [(it) => (it.files[0].header = [1]), /files\[0\]\.header/],
     [(it) => (it.files[1].values.x.column = 1), /files\[1\]\.values\.x: column 1 is not called "north"/],

@@ -89,6 +89,36 @@ test('behind a gate the σ of the motion are said where nothing is to be pressed
   assert.doesNotMatch(unsettledWords(judgement([suspect({}), ...motion]), set, known), /unseen/)
 })
 
+test('of two wheels the size of both, or size and distance, is said and taken by its factors', () => {
+  const read = { ...corrections, driven: [1, 1] }
+  const wheels = { ...log, motion: 'velocity', wheels: true, corrections: read }
+  const size = (/** @type {number} */ value) => ({ now: 0, value, sigma: 0.0026, end: false })
+  const both = suspect({ fault: 'wheel-size', name: null, sizes: [size(0.0107)] })
+  assert.equal(
+    sentence(both, false, wheels),
+    'The robot drives and turns 1.07 ± 0.26 % more than its wheels say: take speeds and turn rates 1.0107 times as ' +
+      'they are read. Both wheels 1.0107 times as large as was said do the same.',
+  )
+  const each = suspect({ fault: 'odometry', name: null, sizes: [size(0.0602), size(-0.0498)] })
+  assert.equal(
+    sentence(each, false, wheels),
+    'The robot drives 6.02 ± 0.26 % farther and turns 4.98 ± 0.26 % less than its wheels say: take the speeds 1.0602 ' +
+      'times and the turn rates 0.9502 times as they are read. Wheels 1.0602 times as large and a base 1.1158 times as ' +
+      'long as was said do the same.',
+  )
+  const taken = (/** @type {any} */ one) => remedy(one, params, false, /** @type {any} */ (wheels))?.corrections?.driven
+  assert.deepEqual(
+    [taken(both), taken(each)],
+    [
+      [1.0107, 1.0107],
+      [1.0602, 0.9502],
+    ],
+  )
+  const unit = suspect({ fault: 'wheel-size', name: null, sizes: [{ ...size(8), end: true }] })
+  assert.match(sentence(unit, false, wheels), /mend their unit\.$/)
+  assert.equal(taken(unit), undefined)
+})
+
 test('wheels of two sizes are said by the turn of a metre, its side and the wheel that is larger', () => {
   const said = (/** @type {number} */ value, end = false, base = /** @type {number | null} */ (null)) =>
     sentence(suspect({ fault: 'unequal-wheels', name: null, sizes: [{ now: 0, value, sigma: 0.0012, end }] }), false, {
@@ -98,10 +128,12 @@ test('wheels of two sizes are said by the turn of a metre, its side and the whee
   assert.equal(
     said(0.0404),
     'The robot turns 2.315 ± 0.069° more to the left on each metre than is read: take the turns so. ' +
-      'A right wheel that is larger than the left by 4.04 ± 0.12 % for each metre between the two does the same.',
+      'A right wheel that is larger than the left by 4.04 ± 0.12 % for each metre between the two turns it so. ' +
+      'If one wheel alone is off, ways and turns are wrong by half of that as well, which a verdict after this looks ' +
+      'for.',
   )
   assert.match(said(-0.0404), /more to the right .* A left wheel that is larger than the right by 4\.04 ± 0\.12 %/)
-  assert.match(said(0.0237, false, 0.62), /larger than the left by 1\.469 ± 0\.074 % does the same\.$/)
+  assert.match(said(0.0237, false, 0.62), /larger than the left by 1\.469 ± 0\.074 % turns it so\. If one wheel alone/)
   assert.match(said(1, true), /^The robot turns more than 57° more to the left .*: mend the sizes of its wheels/)
 })
 

@@ -105,7 +105,7 @@ export class Answer {
   correct(act) {
     const line = part(document, this.box, 'p', '')
     line.append('The log is read otherwise than its files have it. ')
-    button(document, line, 'Read it as they have it', act).className = 'try'
+    button(document, line, 'Take it all back', act).className = 'try'
   }
 
   /**

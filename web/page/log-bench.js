@@ -37,7 +37,7 @@ export class Bench {
     this.map = new LikelihoodMap(() => host.figure.run, change)
     /** @type {HTMLElement | null} */
     this.live = null
-    this.why = button(document, document.createElement('div'), 'Why?', () => this.open(), 'button log-why')
+    this.more = button(document, document.createElement('div'), 'More panels', () => this.open(), 'button log-panels')
   }
 
   /** Takes its place in the figure, which builds its panels anew after a failure. */
@@ -58,20 +58,20 @@ export class Bench {
     controls?.append(strip)
     markMore(strip)
     // By keys what the verdict proposes comes next to it, before all that can be set.
-    live.querySelector('.verdict')?.after(this.mend.box, this.why)
+    live.querySelector('.verdict')?.after(this.mend.box, this.more)
     live.append(this.view.box, this.sources.box, this.map.box)
     handOnTime(live, () => this.host.figure.run.frame, this.look)
-    this.reveal(live.hasAttribute('data-why'))
+    this.reveal(live.hasAttribute('data-panels'))
   }
 
   /** Shows the panels behind the verdict, or hides them. */
   open() {
-    if (this.live) this.reveal(this.live.toggleAttribute('data-why'))
+    if (this.live) this.reveal(this.live.toggleAttribute('data-panels'))
   }
 
   /** @param {boolean} open */
   reveal(open) {
-    this.why.setAttribute('aria-expanded', String(open))
+    this.more.setAttribute('aria-expanded', String(open))
     this.host.figure?.measure()
   }
 

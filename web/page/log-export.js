@@ -54,9 +54,11 @@ const scaled = (own, factor) =>
 function corrected({ corrections, motion }) {
   const { driven, swerve = 0 } = corrections
   const [far, much] = driven
+  const speeds = motion === 'velocity' && far !== 1
   const rates = motion === 'velocity' && much !== 1
   const ways = motion === 'odometry' && (far !== 1 || much !== 1)
   return [
+    ...(speeds ? [`Multiply speeds by ${float(far)} before they are published.`] : []),
     ...(rates ? [`Multiply turn rates by ${float(much)} before they are published.`] : []),
     ...(ways
       ? [`Multiply distances of odometry by ${float(far)} and turns by ${float(much)} before they are published.`]

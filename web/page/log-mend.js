@@ -41,7 +41,7 @@ export class MendBar {
     this.bar = /** @type {HTMLProgressElement} */ (part(document, this.box, 'progress', ''))
     this.bar.setAttribute('aria-label', 'Fit')
     this.end = button(document, this.box, 'Cancel', () => this.cancel())
-    this.undoing = button(document, this.box, 'Undo', () => this.undo())
+    this.undoing = button(document, this.box, 'Undo the last press', () => this.undo())
     /** What the presses are of. @type {LogJudgement | null} */
     this.judgement = null
     /** What presses have set or corrected, and what was so before each. @type {{ mended: Remedy, before: Remedy }[]} */

@@ -29,7 +29,15 @@ const DELAYS = /** @type {const} */ (['delaySpeed', 'delayTurn', ...TOGETHER])
 /** The longest delay that is tried from none, s. */
 const FAR = 3
 /** Faults that another reading of the files mends. */
-const READ_OTHERWISE = ['odometry', 'turn-scale', 'unequal-wheels', 'landmark-bias', 'exchanged', 'displaced']
+const READ_OTHERWISE = [
+  'odometry',
+  'wheel-size',
+  'turn-scale',
+  'unequal-wheels',
+  'landmark-bias',
+  'exchanged',
+  'displaced',
+]
 /** What the filter learns by itself, by the number that is off. @type {Record<string, string>} */
 const LEARNED = { turnBias: 'learnBias', speedScale: 'learnSpeed' }
 
@@ -47,9 +55,10 @@ const said = (size, times = 1) => Number((rounded(size, times) / times).toPrecis
 function corrected({ fault, landmarks: ids, sizes }, log) {
   if (!log?.corrections) return null
   const { driven, landmarks: moved, ranges, swerve = 0 } = log.corrections
-  if (fault === 'odometry' || fault === 'turn-scale') {
+  if (['odometry', 'wheel-size', 'turn-scale'].includes(fault)) {
     if (sizes[0].end) return null
-    const [along, about = 1] = fault === 'odometry' ? factors(sizes) : [1, ...factors(sizes)]
+    const [first, second = fault === 'odometry' ? 1 : first] = factors(sizes)
+    const [along, about] = fault === 'turn-scale' ? [1, first] : [first, second]
     return {
       press: 'Take them so',
       // What was added for each metre is counted in the turns and metres of before.

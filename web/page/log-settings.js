@@ -26,6 +26,7 @@ import { NotOpen } from './log-saved-files.js'
  * @typedef {object} SavedLog what tells a log from another, whatever it was read from
  * @property {number} steps @property {number[]} span @property {string} motion @property {number} landmarks
  * @property {Record<string, number>} readings
+ * @property {number[]} [start] where its first readings say that it began, where they do
  */
 /**
  * @typedef {{ params: Record<string, any>, files: SavedFile[], missing: string[], log: SavedLog | null,
@@ -76,13 +77,27 @@ export function settingsText(params, files, contents = null) {
 }
 
 /** @param {LogContents} contents @returns {SavedLog} */
-const logOf = ({ steps, span, motion, landmarks, readings }) => ({
+const logOf = ({ steps, span, motion, landmarks, readings, opening }) => ({
   steps,
   span: [...span],
   motion,
   landmarks: landmarks.length,
   readings: Object.fromEntries(Object.entries(readings).sort()),
+  ...(opening ? { start: [...opening.start] } : {}),
 })
+
+/** Starts of one log differ by this at most, where its rows were written with fewer digits: m, rad. */
+const ROUNDED = 1e-3
+
+/**
+ * Whether settings were saved of this log: two of the same length may begin at two places.
+ * @param {SavedLog} saved @param {LogContents} contents
+ */
+function isOf({ start, ...saved }, contents) {
+  const { start: begins, ...log } = logOf(contents)
+  const near = !start || !begins || start.every((one, i) => Math.abs(one - begins[i]) < ROUNDED)
+  return near && JSON.stringify(saved) === JSON.stringify(log)
+}
 
 /** @param {any} view a list of numbers */
 const listOf = (view) => /** @type {Float64Array} */ (view)
@@ -112,7 +127,8 @@ export function readSettings(text, known) {
   if (!Array.isArray(read.files)) throw new Error('files is no list.')
   read.files.forEach(file)
   const log = read.log ?? null
-  if (log !== null) only(log, LOG, 'log', LOG)
+  if (log !== null) only(log, [...LOG, 'start'], 'log', LOG)
+  if (log?.start !== undefined && !numbers(log.start, 3)) throw new Error(`log.start is ${shown(log.start)}.`)
   const corrections = read.corrections ?? NONE
   if (!areCorrections(corrections))
     throw new Error(
@@ -213,7 +229,7 @@ function file(it, i, all) {
  * @returns {{ words: string, patch: Record<string, any> } | null}
  */
 export function startsElsewhere({ params, log }, contents) {
-  const same = !log || JSON.stringify(log) === JSON.stringify(logOf(contents))
+  const same = !log || isOf(log, contents)
   if (same || contents.truth || params.start === null) return null
   if (!contents.opening) return { words: ' They start it where the log began of which they were saved.', patch: {} }
   const patch = { ...openingOf(contents, params.fixSigmaScale) }
@@ -227,7 +243,7 @@ export function startsElsewhere({ params, log }, contents) {
  */
 export function isSameLog({ files: saved, log }, files, contents) {
   if (saved.length === 0 || files.length === 0 || files.some(({ role }) => role !== 'log')) return false
-  if (JSON.stringify(log) === JSON.stringify(logOf(contents))) return true
+  if (log && isOf(log, contents)) return true
   const [open, tables] = [files, saved].map((all) => all.map(({ name }) => name).join(', '))
   const other = log
     ? `has ${contents.steps} rows of motion and readings where that log has ${log.steps}, or other times or sensors`

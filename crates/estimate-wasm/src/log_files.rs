@@ -146,7 +146,7 @@ impl LogFiles {
         self.change(file, "file", |files, file| files.set_clock_shift(file, seconds))
     }
 
-    /// Reads the log otherwise than its files have it: `driven` is how many times distances of odometry, and turns or
+    /// Reads the log otherwise than its files have it: `driven` is how many times distances or speeds, and turns or
     /// turn rates, are taken as they are read, both above 0, `landmarks` lists id, x and y of each landmark that
     /// stands elsewhere, and `ranges`, which may be left out, id and by how much ranges to it are taken shorter, m;
     /// `kept`, which may be left out too, is from when to when the log is read, s since the first row of its files, and

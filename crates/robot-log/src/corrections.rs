@@ -11,7 +11,7 @@ const LEAST: f64 = 1e-3;
 /// What is read otherwise than the files have it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Corrections {
-    /// How many times the distances of odometry and the turns of any motion are taken as they are read.
+    /// How many times distances and speeds, and how many times turns and turn rates, are taken as they are read.
     pub driven: [f64; 2],
     /// By how much more to its left the robot turns on each metre than is read, rad, where distance and turn, or speed
     /// and turn rate, stand in one row; counted in what `driven` makes of them.
@@ -39,11 +39,11 @@ impl Corrections {
         part && self.swerve.is_finite() && self.driven.iter().all(factor) && { metres }.all(|at| at.is_finite())
     }
 
-    /// Reads a log so, and says what was done; what it says of landmarks that the log has not, or of odometry where
-    /// there is none, does nothing.
+    /// Reads a log so, and says what was done; what it says of landmarks or of motion that the log has not does
+    /// nothing.
     pub(crate) fn onto(&self, drive: &mut Drive, names: &[String]) -> Vec<String> {
         let mut said = Vec::new();
-        let ([far, much], mut turned, mut swerved) = (self.driven, false, false);
+        let ([far, much], mut driven, mut turned, mut swerved) = (self.driven, false, false, false);
         for row in &mut drive.rows {
             match &mut row.event {
                 Event::Odometry { distance, turn } => {
@@ -51,8 +51,10 @@ impl Corrections {
                     (*turn, swerved) = (much * *turn + self.swerve * *distance, true);
                 }
                 Event::Velocity { v, omega } => {
-                    (*omega, turned, swerved) = (much * *omega + self.swerve * *v, true, true);
+                    *v *= far;
+                    (*omega, driven, turned, swerved) = (much * *omega + self.swerve * *v, true, true, true);
                 }
+                Event::Speed { v } => (*v, driven) = (far * *v, true),
                 Event::TurnRate { omega } => (*omega, turned) = (much * *omega, true),
                 _ => {}
             }
@@ -61,8 +63,10 @@ impl Corrections {
             said.push(format!(
                 "Distances of odometry are taken {far:.4} times as they are read, and turns {much:.4} times."
             ));
-        } else if turned && much != 1.0 {
-            said.push(format!("Turn rates are taken {much:.4} times as they are read."));
+        } else {
+            let factors = [(driven, "Speeds", far), (turned, "Turn rates", much)];
+            let off = factors.into_iter().filter(|(there, _, by)| *there && *by != 1.0);
+            said.extend(off.map(|(_, what, by)| format!("{what} are taken {by:.4} times as they are read.")));
         }
         if swerved && self.swerve != 0.0 {
             let side = if self.swerve > 0.0 { "left" } else { "right" };

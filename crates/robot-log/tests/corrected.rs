@@ -50,16 +50,31 @@ fn distances_turns_and_places_are_taken_otherwise_and_that_is_said() {
 }
 
 #[test]
-fn turn_rates_are_taken_otherwise_and_speeds_are_not() {
+fn speeds_and_turn_rates_are_taken_otherwise_each_by_its_factor() {
     let mut log = Files::default();
     log.add("odom.csv", "time_s,v,omega\n0,1,0.5\n1,1,0.25\n2,1,-0.5\n").expect("motion");
-    assert!(log.correct(Corrections { driven: [1.0, 0.5], ..Corrections::default() }));
-    let read = log.read().expect("sound");
-    let moves: Vec<_> = read.log.drive.rows.iter().map(|row| row.event).collect();
-    assert_eq!(moves, [0.25, 0.125, -0.25].map(|omega| Event::Velocity { v: 1.0, omega }));
-    assert!(read.notes.contains(&"Turn rates are taken 0.5000 times as they are read.".into()), "{:?}", read.notes);
-    assert!(log.correct(Corrections { driven: [2.0, 1.0], ..Corrections::default() }));
-    assert!(log.read().expect("sound").notes.iter().all(|note| !note.contains("as they are read")));
+    let mut by = |driven| {
+        assert!(log.correct(Corrections { driven, ..Corrections::default() }));
+        let read = log.read().expect("sound");
+        let said = read.notes.into_iter().filter(|note| note.contains("as they are read")).collect::<Vec<_>>();
+        (read.log.drive.rows.iter().map(|row| row.event).collect::<Vec<_>>(), said)
+    };
+    let moves = |v: f64, omegas: [f64; 3]| omegas.map(|omega| Event::Velocity { v, omega });
+    let (read, said) = by([1.0, 0.5]);
+    assert_eq!(read, moves(1.0, [0.25, 0.125, -0.25]));
+    assert_eq!(said, ["Turn rates are taken 0.5000 times as they are read."]);
+    let (read, said) = by([2.0, 1.0]);
+    assert_eq!(read, moves(2.0, [0.5, 0.25, -0.5]));
+    assert_eq!(said, ["Speeds are taken 2.0000 times as they are read."]);
+    assert_eq!(by([1.0, 1.0]), (moves(1.0, [0.5, 0.25, -0.5]).to_vec(), Vec::new()));
+
+    // So is a speed that stands alone.
+    let mut log = Files::default();
+    log.add("speed.csv", "time_s,v\n0,2\n1,2\n").expect("a speed");
+    log.add("gyro.csv", "time_s,omega\n0.5,0.5\n1.5,0.5\n").expect("a turn rate");
+    assert!(log.correct(Corrections { driven: [0.5, 1.0], ..Corrections::default() }));
+    let rows = log.read().expect("sound").log.drive.rows;
+    assert_eq!(rows.iter().filter(|row| row.event == Event::Speed { v: 1.0 }).count(), 2);
 }
 
 /// As of two wheels of which one is larger: in what the factors make of distances, and of speeds.

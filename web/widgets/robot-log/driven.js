@@ -34,18 +34,35 @@ const HEADING = ', or that of the headings, which may be counted from north or f
 export function odometrySentence(sizes, log, own = false) {
   const [far, turned] = sizes
   const headings = log?.readings?.heading ? HEADING : ''
-  if (far.end) return `The distances of odometry are not those that the robot drives: mend their unit${headings}.`
+  // Speeds of two wheels are no distances.
+  const rates = log?.motion === 'velocity'
+  const [ways, turns, reader] = rates
+    ? ['speeds', 'turn rates', 'its wheels say']
+    : ['distances', 'turns', 'odometry reads']
+  if (far.end) {
+    const what = rates ? 'The speeds of the wheels' : 'The distances of odometry'
+    return `${what} are not those that the robot drives: mend their unit${headings}.`
+  }
   const times = (/** @type {number} */ factor) => `${decimal(factor, 4)} times`
   const [along, about] = factors(sizes)
   const drives = `The robot drives ${much(far, ['farther', 'less far'])}`
-  if (!turned) return `${drives} than odometry reads: take the distances ${times(along)} as they are read.`
-  const both = `the distances ${times(along)} and the turns ${times(about)} as they are read`
-  const reads = `${drives} and turns ${much(turned, ['more', 'less'])} than odometry reads`
+  if (!turned) return `${drives} than ${reader}: take the ${ways} ${times(along)} as they are read.`
+  const both = `the ${ways} ${times(along)} and the ${turns} ${times(about)} as they are read`
+  const reads = `${drives} and turns ${much(turned, ['more', 'less'])} than ${reader}`
   if (own) return `${reads}.`
+  const same = rates
+    ? `Wheels ${times(along)} as large`
+    : `${log?.wheels ? 'A' : 'Of two wheels a'} radius ${times(along)}`
+  return `${reads}: take ${both}. ${same} and a base ${times(along / about)} as long as was said do the same.`
+}
+
+/** Speeds and turn rates of two wheels that read too much or too little by one share. @param {Size[]} sizes */
+export function wheelsSentence([size]) {
+  if (size.end) return 'The speeds of the wheels are not those of the robot: mend their unit.'
+  const times = `${decimal(factors([size])[0], 4)} times`
   return (
-    `${reads}: take ${both}. ` +
-    `${log?.wheels ? 'A' : 'Of two wheels a'} radius ${times(along)} and a base ${times(along / about)} as long as ` +
-    'was said do the same.'
+    `The robot drives and turns ${much(size, ['more', 'less'])} than its wheels say: ` +
+    `take speeds and turn rates ${times} as they are read. Both wheels ${times} as large as was said do the same.`
   )
 }
 
@@ -76,6 +93,7 @@ export function unequalSentence([size], log) {
   const [larger, other] = left ? ['right', 'left'] : ['left', 'right']
   return (
     `${turns}: take the turns so. ` +
-    `A ${larger} wheel that is larger than the ${other} by ${by(much, log?.base ?? null)} does the same.`
+    `A ${larger} wheel that is larger than the ${other} by ${by(much, log?.base ?? null)} turns it so. ` +
+    'If one wheel alone is off, ways and turns are wrong by half of that as well, which a verdict after this looks for.'
   )
 }

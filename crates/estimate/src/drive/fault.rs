@@ -13,6 +13,8 @@ pub enum Fault {
     Scale,
     /// The distances and turns of odometry read too much or too little by a share.
     Odometry,
+    /// The speed and the turn rate of two wheels read too much or too little by the same share.
+    WheelSize,
     /// Turn rates read too much or too little by a share.
     TurnScale,
     /// Turns are off by an angle for each metre, as of a robot with one wheel larger than the other.
@@ -46,6 +48,7 @@ impl Fault {
             Self::Bias => "bias",
             Self::Scale => "scale",
             Self::Odometry => "odometry",
+            Self::WheelSize => "wheel-size",
             Self::TurnScale => "turn-scale",
             Self::UnequalWheels => "unequal-wheels",
             Self::Antenna => "antenna",

@@ -19,8 +19,10 @@ pub(crate) enum Tried {
     /// The delays of several sensors by the same, as of one receiver: which of [`READINGS`].
     Together([bool; 3]),
     Outliers(Sensor),
-    /// The distances of odometry alone, or with the turns: how many of the two.
+    /// The distances of odometry alone, or with the turns: how many of the two. So the speed and turn rate of wheels.
     Odometry(usize),
+    /// The speed and the turn rate that the same two wheels read, by one share.
+    WheelSize,
     /// The turn rates of motion that is held.
     TurnScale,
     /// What is added to the turn on each metre where both are read by the same wheels.
@@ -100,6 +102,18 @@ impl Tried {
         core::iter::once(Self::Start).chain(numbers).chain(outliers).chain(others).collect()
     }
 
+    /// What is tried where two wheels alone say how the robot drove and turned. Without a gyro no turn rate has a bias,
+    /// and wheels of two sizes are what looks like one; as both wheels read speed and turn rate, a wheel of another size
+    /// makes both wrong: they are freed by one factor, and by two.
+    pub fn by_wheels(tried: &mut Vec<Self>) {
+        tried.retain(|it| *it != Self::Number(Fitted::TurnBias));
+        let speed = Self::Number(Fitted::SpeedScale);
+        if tried.contains(&speed) && tried.contains(&Self::TurnScale) {
+            tried.retain(|it| *it != speed);
+            tried.extend([Self::WheelSize, Self::Odometry(2)]);
+        }
+    }
+
     pub fn fault(self) -> Fault {
         match self {
             Self::Start => Fault::Start,
@@ -108,6 +122,7 @@ impl Tried {
             Self::Number(Fitted::Scale | Fitted::SpeedScale) | Self::Ruler => Fault::Scale,
             Self::Number(Fitted::BearingOffset | Fitted::HeadingOffset) => Fault::Turned,
             Self::Odometry(_) => Fault::Odometry,
+            Self::WheelSize => Fault::WheelSize,
             Self::TurnScale => Fault::TurnScale,
             Self::UnequalWheels => Fault::UnequalWheels,
             Self::Antenna(_) => Fault::Antenna,
@@ -124,8 +139,12 @@ impl Tried {
 
     /// Whether it is a σ, or a factor on what is read, either of which may be wrong many times over.
     pub fn is_far(self) -> bool {
-        matches!(self.fault(), Fault::Scale | Fault::Odometry | Fault::TurnScale)
-            || self.numbers().iter().any(|number| number.is_sigma())
+        self.fault() == Fault::Scale || self.is_share() || self.numbers().iter().any(|number| number.is_sigma())
+    }
+
+    /// Whether motion is taken by shares of what is read.
+    fn is_share(self) -> bool {
+        matches!(self, Self::Odometry(_) | Self::WheelSize | Self::TurnScale)
     }
 
     /// Whether readings come at other times: they are in another order, and not all replays have the same ones.
@@ -141,7 +160,7 @@ impl Tried {
             Self::Odometry(count) => count,
             Self::Antenna(delay) => 2 + usize::from(delay.is_some()),
             Self::Number(_) | Self::Outliers(_) | Self::Together(_) => 1,
-            Self::TurnScale | Self::UnequalWheels | Self::LandmarkBias => 1,
+            Self::WheelSize | Self::TurnScale | Self::UnequalWheels | Self::LandmarkBias => 1,
             Self::Mirrored | Self::MirroredBearings | Self::Exchanged => 0,
         }
     }
@@ -163,7 +182,7 @@ impl Tried {
             // By how much it stands elsewhere, and is later, than is set.
             Self::Antenna(_) | Self::Odometry(_) => return alloc::vec![0.0; self.freedom()],
             // By how much all of them are later than they are set.
-            Self::Together(_) | Self::TurnScale | Self::UnequalWheels => return alloc::vec![0.0],
+            Self::Together(_) | Self::WheelSize | Self::TurnScale | Self::UnequalWheels => return alloc::vec![0.0],
             _ => {}
         }
         self.numbers().iter().map(|number| number.get(&place.settings)).collect()
@@ -177,6 +196,7 @@ impl Tried {
             (Self::Outliers(sensor), _) => {
                 *place.settings.gate.of_mut(sensor) = Some(crate::drive::evidence::OUTLIER_GATE);
             }
+            (Self::WheelSize, &[share]) => place.otherwise.driven = [share; 2],
             (Self::TurnScale, &[share]) => place.otherwise.driven[1] = share,
             (Self::UnequalWheels, &[swerve]) => place.otherwise.swerve = swerve,
             (Self::Antenna(delay), &[ahead, left, ref later @ ..]) => {
@@ -205,7 +225,7 @@ impl Tried {
         if self == Self::Start {
             return [s.start_sigma, s.start_sigma, s.start_sigma_heading].map(begins).to_vec();
         }
-        if matches!(self, Self::Odometry(_) | Self::TurnScale) {
+        if self.is_share() {
             return alloc::vec![SHARE; self.freedom()];
         }
         if self == Self::UnequalWheels {
@@ -222,7 +242,7 @@ impl Tried {
     /// Where the first is sought beside where it is: a scale at factors half as large again each, an eighth to eight.
     pub fn others(self) -> Vec<f64> {
         let factors = [0.12, 0.2, 0.3, 0.45, 0.65, 1.5, 2.2, 3.3, 5.0, 8.0];
-        if matches!(self.fault(), Fault::Scale | Fault::Odometry | Fault::TurnScale) {
+        if self.fault() == Fault::Scale || self.is_share() {
             factors.map(|factor| factor - 1.0).to_vec()
         } else {
             Vec::new()
@@ -239,7 +259,7 @@ impl Tried {
             Self::Antenna(_) => {
                 return [[-MAX_ARM, MAX_ARM], [-MAX_ARM, MAX_ARM], [-most, most]][..self.freedom()].to_vec();
             }
-            Self::Odometry(_) | Self::TurnScale => return alloc::vec![SHARES; self.freedom()],
+            Self::Odometry(_) | Self::WheelSize | Self::TurnScale => return alloc::vec![SHARES; self.freedom()],
             Self::UnequalWheels => return alloc::vec![[-MOST_SWERVE, MOST_SWERVE]],
             _ => {}
         }

@@ -131,11 +131,10 @@ impl Verdict {
         })
     }
 
-    /// The same where two wheels alone say how the robot turned: without a gyro no turn rate has a bias, and wheels of
-    /// two sizes are what looks like one.
+    /// The same where two wheels alone say how the robot drove and turned.
     #[must_use]
     pub fn by_wheels(mut self) -> Self {
-        self.first.tried.retain(|it| *it != Tried::Number(Fitted::TurnBias));
+        Tried::by_wheels(&mut self.first.tried);
         self
     }
 

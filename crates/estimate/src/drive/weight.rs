@@ -84,6 +84,11 @@ pub(crate) fn sifted(drive: &Drive, found: &mut Vec<(Suspect, Trial)>, scope: &S
     if found.iter().any(|(it, _)| bias(it)) {
         together(found, chance, |it| it.fault == Fault::UnequalWheels, bias);
     }
+    // So the shares of what two wheels read: both wheels' size or their distance, or both.
+    let share = |it: &Suspect| matches!(it.fault, Fault::WheelSize | Fault::TurnScale);
+    if found.iter().any(|(it, _)| it.fault == Fault::WheelSize) {
+        together(found, chance, |it| it.fault == Fault::Odometry, share);
+    }
     let late = |it: &Suspect| it.fault == Fault::Antenna && it.with.is_some();
     let placed = |it: &Suspect| it.fault == Fault::Antenna && it.with.is_none();
     // What a delay explains nearly as well by itself is one, and so is an arm no longer than what is held explains.
