@@ -20,11 +20,14 @@ const ANSWERS = {
 }
 /** Values that few files have. */
 const RARE = ['fraction', 'day', 'sigma', 'sigma of heading', 'latitude', 'longitude', 'landmark x', 'landmark y']
+/** So many characters of a column’s name are seen in its field on a phone. */
+const IN_A_FIELD = 15
 
 export class FileForm {
   /** @param {HTMLElement} into @param {(change: Change) => void} change */
   constructor(into, change) {
     this.box = into
+    into.id = 'log-files'
     this.change = change
     /** The files whose rare values a reader has opened. @type {Set<string>} */
     this.opened = new Set()
@@ -121,7 +124,11 @@ export class FileForm {
         unit: one,
       }))
     }
-    if (samples.length > 0) part(document, cell, 'p', 'log-samples').textContent = samples.map(short).join(' · ')
+    if (samples.length === 0) return
+    // A longer name is cut off in its field on a phone.
+    const chosen = columns.find(([at]) => at === String(column))?.[1] ?? ''
+    const whole = chosen.length > IN_A_FIELD ? `${chosen}: ` : ''
+    part(document, cell, 'p', 'log-samples').textContent = whole + samples.map(short).join(' · ')
   }
 
   /**

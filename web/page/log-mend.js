@@ -90,9 +90,23 @@ export class MendBar {
     this.words.textContent = this.told
     this.told = ''
     if (judgement) this.hold('')
-    for (const remedy of remedies(judgement, frame))
+    const all = remedies(judgement, frame)
+    for (const remedy of all)
       if (!remedy.corrections || this.orders.may())
         button(document, this.presses, remedy.press, () => this.take(remedy, frame, wanted), 'button')
+    const [first = null] = judgement?.suspects ?? []
+    if (first && first.standing !== 'cleared' && !first.own && all.length === 0) this.toFiles()
+  }
+
+  /** A sign, a unit or a clock is the reader's to say, beside the file that has it. */
+  toFiles() {
+    /** @type {HTMLElement | null} */
+    const field = document.querySelector('#log-files select')
+    if (!field) return
+    const link = /** @type {HTMLAnchorElement} */ (part(document, this.presses, 'a', ''))
+    link.href = '#log-files'
+    link.textContent = 'See how the files are read'
+    link.addEventListener('click', () => field.focus())
   }
 
   /** Keeps what was set before a press, for Undo. @param {Patch} patch what it sets @param {Patch} wanted */

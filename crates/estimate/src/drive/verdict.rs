@@ -19,7 +19,6 @@ use crate::drive::course::{Course, Otherwise};
 use crate::drive::diluted::{diluted, noisy_turns};
 use crate::drive::evidence::{Against, Evidence, Trial};
 use crate::drive::fault::Fault;
-use crate::drive::fitted::Fitted;
 use crate::drive::gaps::{Gaps, gaps_and_end};
 use crate::drive::gates::Gates;
 use crate::drive::judgement::{
