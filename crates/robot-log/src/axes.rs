@@ -18,3 +18,8 @@ pub(crate) fn upward(names: &[Name]) -> Option<usize> {
     let is_rate = |name: &Name| name.unit(Quantity::AngleRate).is_some() && name.base(Quantity::Angle) != ["z"];
     names.iter().position(|name| name.base(Quantity::AngleRate) == ["z"] && is_rate(name))
 }
+
+/// The column of the third axis of a gyroscope in an array: `xyz[2]`.
+pub(crate) fn third_axis(names: &[Name]) -> Option<usize> {
+    names.iter().position(|name| name.has("2") && name.has_one(&["xyz", "gyro"]))
+}

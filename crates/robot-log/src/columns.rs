@@ -1,6 +1,6 @@
 //! Which column of a file each value of its role is in, and in which unit.
 
-use crate::axes::axes;
+use crate::axes::{axes, third_axis};
 use crate::clock::{dated, day_beside, found_fraction, is_seconds, stamped};
 use crate::fields::Line;
 use crate::heading;
@@ -91,6 +91,7 @@ pub(crate) fn found(source: &Source, value: &Value, file: &str, text: &str) -> V
                 found = axes;
             }
         }
+        "left" | "right" if found.is_empty() => found = wide::of_wheels(names, file).unwrap_or_default(),
         "sigma" => found.retain(|at| sigma::is_of_position(names, *at)),
         "sigma of heading" => found = sigma::of_heading(names, source.column("heading"), found),
         // Beside coordinates a bearing is the course.
@@ -126,11 +127,6 @@ pub(crate) fn found(source: &Source, value: &Value, file: &str, text: &str) -> V
         _ => {}
     }
     found
-}
-
-/// The column of the third axis of a gyroscope in an array: `xyz[2]`.
-pub(crate) fn third_axis(names: &[Name]) -> Option<usize> {
-    names.iter().position(|name| name.has("2") && name.has_one(&["xyz", "gyro"]))
 }
 
 /// Whether a column is one of the four of a quaternion.
@@ -198,7 +194,7 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             }
             said.or_else(|| by_rate(&numbers).and_then(usual))
         }
-        // The first of May, or the fifth of January: where both can be meant, it is asked.
+        // The first of May, or the fifth of January: it is asked.
         Quantity::Day => match stamp::orders(lines.iter().map(|line| line.fields[column].text)).as_slice() {
             [one] => usual(one),
             _ => None,
@@ -243,6 +239,8 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             })
         }
         Quantity::AngleSpread if name.has_one(&VARIANCES) => usual(ANGLE_VARIANCE),
+        // How accurate a heading is, is written as the heading is: a phone's are degrees.
+        Quantity::AngleSpread if said.is_none() && source.is_in_degrees("heading") => usual("deg"),
         Quantity::Angle | Quantity::AngleSpread => {
             let turn = if value.name == "turn" { 3.2 } else { 7.0 };
             said.or_else(|| usual(if most > turn { "deg" } else { "rad" }))

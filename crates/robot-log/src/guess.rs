@@ -1,9 +1,9 @@
 //! What a file probably is: a role, its columns and its units, by what its columns are called, by its name, and by its
 //! numbers. What is not certain is left open.
 
-use crate::axes::axes;
+use crate::axes::{axes, third_axis};
 use crate::binary;
-use crate::columns::{clockwise, columns, third_axis};
+use crate::columns::{clockwise, columns};
 use crate::cut::cut;
 use crate::fields::Line;
 use crate::names::{Name, candidates, is_acceleration, is_spread};
@@ -134,6 +134,7 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         // A column of some number of the device is no landmark.
         () if read && (v || omega) => certain(Role::Sensors),
         () if sightings && !said.contains(&Role::Velocities) => certain(Role::Sightings),
+        () if wide::of_wheels(names, &file).is_some() => certain(Role::Encoders),
         () if wide::group(names).is_some() => certain(Role::Ranges),
         // A gyro beside the wheels: it is a sensor, and they are read once more.
         () if encoders && !place && omega && !v => certain(Role::Sensors),

@@ -199,8 +199,9 @@ pub(crate) fn words(name: &str, lines: usize) -> Option<String> {
     (lines > 0).then(|| format!("{name}: {lines} {what} of words above the numbers left out."))
 }
 
-/// What was left out of a log: sightings of a barcode in no list, and sightings of what no file places.
-pub(crate) fn left_out(unlisted: usize, left_out: usize, mapped: bool) -> Vec<String> {
+/// What was left out of a log: sightings of a barcode in no list, and sightings of what no file places; and what comes
+/// of that where no other reading is left.
+pub(crate) fn left_out(unlisted: usize, left_out: usize, mapped: bool, rows: &[Row]) -> Vec<String> {
     let mut notes = Vec::new();
     if unlisted > 0 {
         notes.push(format!("{} left out: no list has the barcode.", readings(unlisted)));
@@ -210,7 +211,8 @@ pub(crate) fn left_out(unlisted: usize, left_out: usize, mapped: bool) -> Vec<St
     }
     if left_out > 0 && !mapped {
         let left_out = readings(left_out);
-        notes.push(format!("{left_out} left out: no file says where the landmarks are. This is dead reckoning."));
+        let comes = if rows.iter().any(|row| !row.event.is_motion()) { "" } else { " This is dead reckoning." };
+        notes.push(format!("{left_out} left out: no file says where the landmarks are.{comes}"));
     }
     notes
 }

@@ -294,7 +294,7 @@ impl LogReader {
         notes.extend(frames::apart(&log.drive));
         notes.extend(notes::lacking(&log.drive));
         notes.extend(notes::gaps(&log.drive));
-        notes.extend(notes::left_out(self.unlisted, left_out, mapped));
+        notes.extend(notes::left_out(self.unlisted, left_out, mapped, &log.drive.rows));
         Ok(Understood { notes, landmarks: self.landmarks.names(), ..log.into() })
     }
 }

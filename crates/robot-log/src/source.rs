@@ -88,6 +88,12 @@ impl Source {
         self.columns[self.role.index(value)?]
     }
 
+    /// Whether a value is read in degrees, from wherever and whichever way these are counted.
+    pub fn is_in_degrees(&self, value: &str) -> bool {
+        let unit = self.role.index(value).and_then(|at| self.units[at]);
+        unit.is_some_and(|unit| unit.name.starts_with("deg"))
+    }
+
     /// Whether a row of motion or of a sighting says nothing: in a table that other sensors share its fields are then
     /// empty.
     pub fn says_nothing(&self, line: &Line<'_>) -> bool {

@@ -93,13 +93,13 @@ const WAYS: [(&str, &str); 21] = [
     (
         "x",
         "=x,=tx,position x,p x,pos x,pose x,robot x,true x,truth x,gt x,translation x,utm x,gps x,gnss x,fix x,rtk x,\
-         mocap x,vicon x,local x,nav x,laser x,lidar x,uwb x,x position,\
+         mocap x,vicon x,local x,nav x,laser x,lidar x,uwb x,camera x,x position,posizione x,posicion x,\
          east,easting,ost,rechtswert,est,este,gps e,gnss e,fix e,rtk e,utm e,enu e",
     ),
     (
         "y",
         "=y,=ty,position y,p y,pos y,pose y,robot y,true y,truth y,gt y,translation y,utm y,gps y,gnss y,fix y,rtk y,\
-         mocap y,vicon y,local y,nav y,laser y,lidar y,uwb y,y position,\
+         mocap y,vicon y,local y,nav y,laser y,lidar y,uwb y,camera y,y position,posizione y,posicion y,\
          north,northing,nord,hochwert,norte,gps n,gnss n,fix n,rtk n,utm n,enu n",
     ),
     (

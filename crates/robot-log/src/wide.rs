@@ -32,6 +32,15 @@ pub(crate) fn group(names: &[Name]) -> Option<Vec<(u32, usize)>> {
     (0..names.len()).filter(is_range).find_map(|at| group_of(names, at).filter(|found| found.len() > 1))
 }
 
+/// The ways of two wheels, which ArduPilot calls by numbers in a file of wheel encoders: `Dist0`, `Dist1`. Which of the
+/// two is on which side, the file does not say.
+pub(crate) fn of_wheels(names: &[Name], file: &str) -> Option<Vec<usize>> {
+    let found = group(names).filter(|found| found.len() == 2)?;
+    let is_way = |at: usize| names[at].has_one(&["d", "dist", "distance"]);
+    let wheels = ["wenc", "encoder", "wheel"].iter().any(|word| file.to_lowercase().contains(word));
+    (wheels && found.iter().all(|(_, at)| is_way(*at))).then(|| found.into_iter().map(|(_, at)| at).collect())
+}
+
 /// The columns that are called as one of them is, but for the number.
 pub(crate) fn group_of(names: &[Name], at: usize) -> Option<Vec<(u32, usize)>> {
     let (called, _) = parted(names.get(at)?)?;

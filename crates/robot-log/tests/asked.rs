@@ -203,3 +203,50 @@ fn a_turn_rate_that_is_too_fast_for_radians_is_asked_wherever_it_stands() {
         assert_eq!(asks == ["In which unit is \u{201c}gyro_z\u{201d}?"], asked, "{most}: {asks:?}");
     }
 }
+
+/// ArduPilot's file of wheel encoders has the ways of a first and a second wheel, and no ranges to landmarks.
+#[test]
+fn which_of_two_numbered_wheels_is_on_which_side_is_asked() {
+    let ways =
+        "TimeUS,Dist0,Qual0,Dist1,Qual1\n1000000,0,100,0,100\n1100000,0.1,100,0.11,100\n1200000,0.2,100,0.22,100\n";
+    let mut log = files(&[("WENC.csv", ways)]);
+    assert_eq!(log.files()[0].role(), Role::Encoders);
+    let asks = log.files()[0].asks();
+    assert!(asks.iter().any(|ask| ask.contains("left")) && asks.iter().any(|ask| ask.contains("right")), "{asks:?}");
+    assert!(log.set_column(0, "left", Some(1)) && log.set_column(0, "right", Some(3)));
+    assert!(log.set_unit(0, "left", "m") && log.set_unit(0, "right", "m") && log.set_wheel(0, "base", 0.5));
+    assert!(log.set_counting(0, Counting::Total));
+    let read = log.read().expect("motion");
+    assert_eq!(read.log.drive.rows.len(), 2, "{:?}", read.log.drive.rows);
+    // In another file they are ranges, and what has no place is no dead reckoning where fixes are read.
+    let ranges = ways.replace("Qual", "Quality");
+    let gps = "TimeUS,Lat,Lng,Spd,GCrs\n1000000,48.1,11.5,1,90\n1200000,48.1,11.5000027,1,90\n";
+    let log = files(&[("GPS.csv", gps), ("uwb.csv", &ranges), ("IMU.csv", "TimeUS,GyrZ\n1000000,0\n1200000,0\n")]);
+    assert_eq!(log.files()[1].role(), Role::Ranges);
+    let notes = log.read().expect("a log").notes;
+    assert!(notes.iter().any(|note| note.ends_with("no file says where the landmarks are.")), "{notes:?}");
+}
+
+/// A phone writes how accurate its bearing is as it writes the bearing.
+#[test]
+fn how_accurate_a_heading_is_stands_in_the_heading_s_unit() {
+    let unit = |head: &str| {
+        let text = format!("time_s,latitude,longitude,{head}\n0,48.1,11.5,350,2\n1,48.1,11.6,10,2\n");
+        let log = files(&[("Location.csv", &text)]);
+        let at = Role::Sensors.values().iter().position(|it| it.name == "sigma of heading").expect("a value");
+        log.files()[0].units()[at].map(|unit| unit.name)
+    };
+    assert_eq!(unit("bearing,bearingAccuracy"), Some("deg"));
+    assert_eq!(unit("bearing,bearingAccuracy_rad"), Some("rad"));
+    assert_eq!(unit("bearing,course"), None, "no accuracy is there");
+}
+
+#[test]
+fn positions_are_known_in_the_languages_of_decimal_commas() {
+    for (x, y) in [("Posizione x (cm)", "Posizione y (cm)"), ("posición x (cm)", "posición y (cm)")] {
+        let text = format!("tempo (s);{x};{y}\n0,0;100,0;200,0\n0,2;101,5;200,5\n");
+        let log = files(&[("carrello.csv", &text)]);
+        assert_eq!(log.files()[0].role(), Role::Undecided, "{x}: the truth, or a sensor's");
+        assert!(!log.files()[0].asks().is_empty());
+    }
+}
