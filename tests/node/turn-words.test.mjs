@@ -103,8 +103,8 @@ test('of two wheels the size of both, or size and distance, is said and taken by
   assert.equal(
     sentence(each, false, wheels),
     'The robot drives 6.02 ± 0.26 % farther and turns 4.98 ± 0.26 % less than its wheels say: take the speeds 1.0602 ' +
-      'times and the turn rates 0.9502 times as they are read. Wheels 1.0602 times as large and a base 1.1158 times as ' +
-      'long as was said do the same.',
+      'times and the turn rates 0.9502 times as they are read. Wheels 1.0602 times as large and a base 1.1158 times ' +
+      'as long as was said do the same.',
   )
   const taken = (/** @type {any} */ one) => remedy(one, params, false, /** @type {any} */ (wheels))?.corrections?.driven
   assert.deepEqual(

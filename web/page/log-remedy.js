@@ -180,7 +180,7 @@ export function remedies(judgement, frame) {
 function mending(judgement, { params, truth, log }) {
   // What may be no fault has no press.
   const suspects = judgement ? [...named(judgement, log), ...likeliest(judgement)].filter(({ own }) => !own) : []
-  const together = judgement ? unsettled(judgement) : []
+  const together = judgement ? unsettled(judgement, params) : []
   // What is said without the gate is mended without it.
   const off = judgement?.ungated ? { ungated: true } : {}
   if (together.length > 1) return [{ press: `Fit ${counted(together)} σ`, fit: together, ...off }]

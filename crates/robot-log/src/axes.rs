@@ -1,7 +1,6 @@
 //! The axes of a gyroscope.
 
 use crate::names::Name;
-use crate::role::Quantity;
 
 /// The columns of a gyroscope that says its axes and not which of them points up.
 pub(crate) fn axes(file: &str, names: &[Name]) -> Option<Vec<usize>> {
@@ -11,12 +10,6 @@ pub(crate) fn axes(file: &str, names: &[Name]) -> Option<Vec<usize>> {
         names.iter().position(|name| gyro(name) && with(name))
     };
     Some(vec![on("x")?, on("y")?, on("z")?])
-}
-
-/// The column of a turn rate that is called by its axis and its unit alone: `z_rad_s`, where `z_rad` is an angle.
-pub(crate) fn upward(names: &[Name]) -> Option<usize> {
-    let is_rate = |name: &Name| name.unit(Quantity::AngleRate).is_some() && name.base(Quantity::Angle) != ["z"];
-    names.iter().position(|name| name.base(Quantity::AngleRate) == ["z"] && is_rate(name))
 }
 
 /// The column of the third axis of a gyroscope in an array: `xyz[2]`.

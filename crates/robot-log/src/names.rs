@@ -1,6 +1,5 @@
 //! The names of columns as words: in small letters, without accents, parted at points, blanks, capitals and digits.
 
-use crate::axes::upward;
 use crate::nested::BELOW;
 use crate::role::Quantity;
 use crate::unit::{self, Unit};
@@ -99,6 +98,12 @@ pub(crate) fn candidates(value: &str, quantity: Quantity, names: &[Name]) -> Vec
         }
     }
     if value == "omega" { upward(names).into_iter().collect() } else { Vec::new() }
+}
+
+/// The column of a turn rate that is called by its axis and its unit alone: `z_rad_s`, where `z_rad` is an angle.
+fn upward(names: &[Name]) -> Option<usize> {
+    let is_rate = |name: &Name| name.unit(Quantity::AngleRate).is_some() && name.base(Quantity::Angle) != ["z"];
+    names.iter().position(|name| name.base(Quantity::AngleRate) == ["z"] && is_rate(name))
 }
 
 /// The columns of the left and the right one of two wheels, where there are both.

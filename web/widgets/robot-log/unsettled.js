@@ -10,14 +10,39 @@ import { alike } from './noise.js'
 /** What a verdict names, or what is likeliest where nothing mends by itself. @param {LogJudgement} judgement */
 const told = (judgement) => [...named(judgement), ...likeliest(judgement)]
 
+/** The sensor that has a σ. @type {Record<string, string>} */
+const SENSOR = {
+  sigmaFix: 'fix',
+  fixSigmaScale: 'fix',
+  sigmaHeading: 'heading',
+  headingSigmaScale: 'heading',
+  sigmaRange: 'range',
+  sigmaBearing: 'bearing',
+}
+
+/**
+ * Whether a σ is all that is wrong, and larger, behind a gate. A fit finds the σ of what the gate lets through, and the
+ * verdict that of all: each would take back what the other has set, for ever.
+ * @param {import('estimate-wasm').LogSuspect[]} all that are told @param {LogJudgement} judgement
+ * @param {Record<string, any>} params
+ */
+function isBehindItsGate([first, ...more], { suspects }, { gate }) {
+  const sensor = SENSOR[first.name ?? '']
+  const isOn = Boolean(gate && typeof gate === 'object' ? gate[sensor] : gate && sensor)
+  const [size] = first.sizes
+  const others = suspects.filter((one) => one.fault === 'sigma' && one !== first)
+  return isOn && more.length === 0 && size.value > size.now && others.every(({ standing }) => standing === 'cleared')
+}
+
 /**
  * The σ that a fit is to find together, by their names: all of them where the verdict names one, as each was found
  * beside what the others were then.
- * @param {LogJudgement} judgement
+ * @param {LogJudgement} judgement @param {Record<string, any>} params
  */
-export function unsettled(judgement) {
+export function unsettled(judgement, params) {
   const all = told(judgement)
   if (all.length === 0 || all.some(({ fault }) => fault !== 'sigma')) return []
+  if (isBehindItsGate(all, judgement, params)) return []
   return judgement.suspects.filter(({ fault }) => fault === 'sigma').map(({ name }) => name ?? '')
 }
 
@@ -54,7 +79,7 @@ export function unsettledWords(judgement, params, known) {
   const settled = told(judgement).every(({ own }) => own)
   if (settled && usual.length === MOTION.length && isGated(params)) return BEHIND
   const begins = told(judgement).some((suspect) => suspect.fault === 'sigma' && isUsual(suspect, params, known))
-  const all = unsettled(judgement)
+  const all = unsettled(judgement, params)
   const first = begins ? ' That σ is the one with which the page begins, whatever the log is.' : ''
   if (all.length < 2) return first
   const open = judgement.suspects.filter(

@@ -103,8 +103,8 @@ impl Tried {
     }
 
     /// What is tried where two wheels alone say how the robot drove and turned. Without a gyro no turn rate has a bias,
-    /// and wheels of two sizes are what looks like one; as both wheels read speed and turn rate, a wheel of another size
-    /// makes both wrong: they are freed by one factor, and by two.
+    /// and wheels of two sizes are what looks like one; as both wheels read speed and turn rate, a wheel of another
+    /// size makes both wrong: they are freed by one factor, and by two.
     pub fn by_wheels(tried: &mut Vec<Self>) {
         tried.retain(|it| *it != Self::Number(Fitted::TurnBias));
         let speed = Self::Number(Fitted::SpeedScale);
