@@ -148,3 +148,15 @@ test('the turn of a metre is added to that of before, which is counted in its tu
   assert.ok(Math.abs(counted - (0.01 * 1.0123) / 0.9699) < 1e-9, `${counted}`)
   assert.equal(press({ ...unequal, sizes: [{ ...unequal.sizes[0], end: true }] }), null, 'not found')
 })
+
+test('of courses it is said that an antenna which stands elsewhere looks like a late turn, and they may be left out', () => {
+  const late = (/** @type {any} */ more) =>
+    judgement([suspect({ name: 'delayTurn', sizes: [{ now: 0, value: 0.477, sigma: 0.015 }], ...more })])
+  const frame = (/** @type {any} */ course, headings = true) =>
+    /** @type {any} */ ({ params: { ...params, fixes: true, headings }, truth: null, log: { ...log, course } })
+  const presses = (/** @type {any} */ one, /** @type {any} */ given) => remedies(one, given).map(({ press }) => press)
+  assert.deepEqual(presses(late({}), frame(true)), ['Either: set it so', 'Or: leave the courses out'])
+  assert.deepEqual(remedies(late({}), frame(true))[1].patch, { headings: false })
+  for (const other of [frame(false), frame(true, false)]) assert.deepEqual(presses(late({}), other), ['Set it so'])
+  assert.deepEqual(presses(late({ name: 'delayFix' }), frame(true)), ['Set it so'], 'positions are late by themselves')
+})

@@ -7,7 +7,7 @@ import { cutsFirst, longest } from '../widgets/robot-log/gaps.js'
 import { rounded } from '../widgets/robot-log/sized.js'
 import { wrapped } from '../widgets/robot-log/start.js'
 import { counted, unsettled } from '../widgets/robot-log/unsettled.js'
-import { likeliest, named } from '../widgets/robot-log/named.js'
+import { likeliest, mayBeCourse, named } from '../widgets/robot-log/named.js'
 import { apart } from '../widgets/robot-log/noise.js'
 import { bySensor } from './log-numbers.js'
 
@@ -184,7 +184,9 @@ function mending(judgement, { params, truth, log }) {
   // What is said without the gate is mended without it.
   const off = judgement?.ungated ? { ungated: true } : {}
   if (together.length > 1) return [{ press: `Fit ${counted(together)} σ`, fit: together, ...off }]
-  return either(suspects.map((suspect) => remedy(suspect, params, Boolean(truth), log)))
+  const course = mayBeCourse(suspects, params, log ?? null)
+  const without = course ? [{ press: 'Leave the courses out', patch: { headings: false } }] : []
+  return either([...suspects.map((suspect) => remedy(suspect, params, Boolean(truth), log)), ...without])
 }
 
 /** One that mends it, or one of two. @param {(Remedy | null)[]} all @returns {Remedy[]} */

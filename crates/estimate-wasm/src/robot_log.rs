@@ -42,6 +42,8 @@ export interface LogContents {
     wheels: boolean;
     /** How far apart these two wheels stand, metres, as was said; else null. */
     base: number | null;
+    /** Whether headings are the courses of a receiver of positions. */
+    course: boolean;
     /** What is read otherwise than its files have it. */
     corrections: LogCorrections;
     /** How many readings each sensor has; one without any is not there. */
@@ -122,6 +124,7 @@ struct LogContents {
     notes: Vec<String>,
     names: Vec<String>,
     base: Option<f64>,
+    course: bool,
     corrections: Corrections,
     /// Where it began, once that was asked: a search.
     opening: OnceCell<Option<Opening>>,
@@ -150,6 +153,7 @@ impl DriveLog {
                 ("own", own(drive)),
                 ("wheels", held.logged.is_by_wheels().into()),
                 ("base", held.base.map_or(JsValue::NULL, Into::into)),
+                ("course", held.course.into()),
                 ("corrections", log_corrections::shown(&held.corrections)),
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
@@ -183,8 +187,8 @@ impl DriveLog {
 impl DriveLog {
     /// A log that was read.
     pub(crate) fn keep(read: Understood) -> Self {
-        let Understood { log: robot_log::Log { drive, count }, notes, landmarks: names, wheels, base, corrections } =
-            read;
+        let robot_log::Log { drive, count } = read.log;
+        let Understood { notes, landmarks: names, wheels, base, course, corrections, .. } = read;
         let logged = Arc::new(LoggedDrive::new(drive).by_wheels(wheels));
         let handle = LOGS.with_borrow_mut(|logs| {
             let handle = logs.last().map_or(1.0, |(last, _)| last + 1.0);
@@ -193,7 +197,7 @@ impl DriveLog {
             handle
         });
         let opening = OnceCell::new();
-        let held = LogContents { handle, logged, rows: count, notes, names, base, corrections, opening };
+        let held = LogContents { handle, logged, rows: count, notes, names, base, course, corrections, opening };
         Self(Held::new(LOG, held))
     }
 }

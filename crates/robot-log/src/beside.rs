@@ -3,6 +3,7 @@
 
 use crate::file::File;
 use crate::frames::Frame;
+use crate::heading::is_course;
 use crate::log::MAX_LANDMARKS;
 use crate::names::candidates;
 use crate::other_clock::{OtherClock, Times, join};
@@ -62,6 +63,23 @@ pub(crate) fn wheels(files: &[File]) -> (bool, Option<f64>) {
     let turning: Vec<&File> = files.iter().filter(|file| file.role().moves() && file.turns()).collect();
     let alone = !turning.is_empty() && turning.iter().all(|file| file.role() == Role::Encoders);
     (alone, turning.first().filter(|_| alone).and_then(|file| file.wheels().base))
+}
+
+/// The first file whose headings are the courses of the receiver whose positions stand beside them.
+pub(crate) fn course(files: &[File]) -> Option<&File> {
+    files.iter().filter(|file| file.role() == Role::Sensors).find(|file| {
+        let heading = file.source.column("heading").and_then(|at| file.source.names.get(at));
+        Places::of(&file.source).is_some() && heading.is_some_and(is_course)
+    })
+}
+
+/// What is said of such a file.
+pub(crate) fn course_note(file: &File) -> String {
+    format!(
+        "{}: its course is read as the robot\u{2019}s heading. It is that where the antenna stands above the point about \
+         which the robot turns; elsewhere it runs ahead of the robot in each turn, or behind.",
+        file.name()
+    )
 }
 
 /// How the places of a file are said.

@@ -208,6 +208,9 @@ impl Files {
         let own = self.files.iter().find(|file| file.frame() == Some(Frame::Own)).and_then(File::own);
         let mut read = reading.finish(own, self.corrections.kept)?;
         (read.wheels, read.base) = beside::wheels(&self.files);
+        let course = beside::course(&self.files);
+        read.course = course.is_some();
+        read.notes.extend(course.map(beside::course_note));
         let corrected = self.corrections.onto(&mut read.log.drive, &read.landmarks);
         read.notes.extend(corrected);
         read.corrections = self.corrections.clone();

@@ -37,6 +37,12 @@ const ASKED: [&str; 13] = [
     "psi",
 ];
 
+/// Whether a heading is the direction in which a receiver moves: where the robot points only as long as that stands
+/// above the point about which it turns.
+pub(crate) fn is_course(name: &Name) -> bool {
+    name.has_one(&["course", "cog", "crs", "track", "kurs", "cap", "rumbo", "rotta", "bearing"])
+}
+
 /// A full turn, in degrees, and what rounding may add.
 const FULL_TURN: f64 = 360.5;
 

@@ -56,6 +56,8 @@ pub struct Understood {
     pub wheels: bool,
     /// How far apart these two wheels stand, m, as was said.
     pub base: Option<f64>,
+    /// Whether headings are the courses of a receiver of positions.
+    pub course: bool,
     /// What is read otherwise than the files have it.
     pub corrections: Corrections,
 }
@@ -63,6 +65,6 @@ pub struct Understood {
 impl From<Log> for Understood {
     fn from(log: Log) -> Self {
         let (notes, landmarks, corrections) = (Vec::new(), Vec::new(), Corrections::default());
-        Self { log, notes, landmarks, wheels: false, base: None, corrections }
+        Self { log, notes, landmarks, wheels: false, base: None, course: false, corrections }
     }
 }

@@ -1,5 +1,6 @@
 //! Whose σ a column holds: a position's or a heading's.
 
+use crate::heading::is_course;
 use crate::names::{Name, candidates};
 use crate::role::Quantity;
 
@@ -17,7 +18,7 @@ pub(crate) fn of_heading(names: &[Name], heading: Option<usize>, called: Vec<usi
     if called.is_empty() {
         return unnamed(names);
     }
-    let is_course = |at: usize| names[at].has_one(&["course", "cog", "crs", "track"]);
+    let is_course = |at: usize| is_course(&names[at]);
     called.into_iter().filter(|at| is_course(*at) == is_course(heading)).collect()
 }
 

@@ -15,7 +15,7 @@
  * @property {number | null} touched when the reading was that the reader has touched, seconds since the log's first row
  * @property {LogFrame | null} kept A
  */
-/** @typedef {'wheels' | 'base' | 'landmarks' | 'corrections' | 'readings'} Known what it may have besides */
+/** @typedef {'wheels' | 'base' | 'course' | 'landmarks' | 'corrections' | 'readings'} Known what it may have besides */
 /** @typedef {Partial<Pick<import('estimate-wasm').LogContents, Known>>} More */
 /** @typedef {{ motion: string, names: string[] } & More} Log what panels need of a log’s contents */
 /**

@@ -11,6 +11,15 @@ export const NEAR = 3
 export const likeliest = ({ suspects: [first], other, thinning }) => (other && first && !thinning ? [first] : [])
 
 /**
+ * Whether an antenna that stands elsewhere may be what is named: its course runs ahead of the robot in each turn, as a
+ * turn rate that is late, or a heading that is early, does.
+ * @param {Suspect[]} all that are named @param {Record<string, any>} params @param {Log | null} log
+ */
+export const mayBeCourse = ([first], { fixes, headings }, log) =>
+  Boolean(log?.course && fixes && headings && first?.fault === 'clock' && !first.own && !first.with) &&
+  ['delayTurn', 'delayHeading'].includes(first.name ?? '')
+
+/**
  * The landmarks that the page has mended so before: of two faults of one, that is mended once more before another is
  * named.
  * @param {Suspect['fault']} fault @param {Log | null} log @returns {number[][]}

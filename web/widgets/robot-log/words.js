@@ -1,6 +1,7 @@
 /** What the figure of a log says: each sentence follows from the numbers of the frame. */
 
 import { fixed, metres } from '../../draw/numbers.js'
+import { mayBeCourse, named } from './named.js'
 import { unsettledWords } from './unsettled.js'
 import { ranked } from './verdict.js'
 
@@ -61,6 +62,10 @@ export function unread(frame) {
  */
 export const expecting = (frame, expected) => (listens(frame) ? unread(frame) : expected)
 
+const COURSE =
+  ' The headings are courses of the antenna: where it stands off the point about which the robot turns, that looks the ' +
+  'same. Without them the positions tell which it is.'
+
 /** @param {Frame} frame */
 export function verdict(frame) {
   const { step, summary } = frame
@@ -77,6 +82,7 @@ export function verdict(frame) {
     ? [
         ` ${ranked(judgement, { rows, truth: Boolean(truth), log: frame.log })}`,
         unsettledWords(judgement, params, known),
+        mayBeCourse(named(judgement, frame.log), params, frame.log ?? null) ? COURSE : '',
       ]
     : judging
       ? [' Still looking for what may be wrong …']
