@@ -262,7 +262,8 @@ const NINE =
 
 test('a system that is observable by less than its digits is not said to be', () => {
   const frame = pasted(NINE)
-  assert.deepEqual([frame.observable, frame.movable], ['yes', 3], 'its numbers as they are written are')
+  assert.deepEqual([frame.observable, frame.movable], ['undecided', 3], 'a change within the tolerance hides the mode')
+  assert.equal(pasted(NINE, { logTolerance: -13 }).observable, 'yes', 'its numbers as they are written are')
   assert.equal(readouts(frame).find((/** @type {any} */ one) => one.key === 'observable')?.value, 'undecided')
   assert.match(verdict(frame), /whether the system is observable is undecided\. .* More digits of the numbers/)
   // What F forgets stays at 0, whatever is seen of it.

@@ -8,6 +8,7 @@ use crate::balance::{Balanced, balanced};
 use crate::by_entry::is_observable;
 use crate::decay::{decays, rounding};
 use crate::error::{Code, Error};
+use crate::nearest_unobservable::Pair;
 use crate::staircase::Staircase;
 use crate::validate;
 use crate::verdict::Verdict;
@@ -65,7 +66,7 @@ pub(crate) fn blurred(f: &DMatrix<f64>, c: &DMatrix<f64>, blur: f64, tolerance: 
     if let Ok(form) = Staircase::new(&callers.f, &callers.c, tolerance.max(noise))
         && form.seen > at_tolerance.seen
     {
-        (at_tolerance, units) = (form, callers.units);
+        (at_tolerance, units) = (form, callers.units.clone());
     }
     let mut forms = vec![Staircase::new(&given.f, &given.c, noise)?];
     if let Some(rounded) = without_rounding(f) {
@@ -81,13 +82,43 @@ pub(crate) fn blurred(f: &DMatrix<f64>, c: &DMatrix<f64>, blur: f64, tolerance: 
         verdicts.push(Verdict::Yes);
         all_seen.push(Verdict::Yes);
     }
+    let off = DMatrix::from_fn(c.nrows(), n, |_, j| blur * c.column(j).amax());
+    let (mut observable, mut detectable) = (Verdict::of_all(all_seen), Verdict::of_all(verdicts));
+    if at_tolerance.seen == n {
+        let pairs = [&callers, &given].map(|units| Pair::new(&units.f, &units.c, &units.of_outputs(&off)));
+        // An entry that may be a zero is no larger than rounding in the caller's units only.
+        let sure = if forms.len() > 2 { 1 } else { 2 };
+        (observable, detectable) = by_distance((observable, detectable), &pairs, sure, tolerance.max(noise));
+    }
     Ok(Detectability {
-        observable: Verdict::of_all(all_seen),
-        detectable: Verdict::of_all(verdicts),
+        observable,
+        detectable,
         unseen: unseen(&at_tolerance, &units),
         modes: eigenvalues(&at_tolerance.unseen_block()).map_err(|e| Error::of_matrix(e, "F"))?,
         by_entry: is_observable(f, c, tolerance.max(noise), blur),
     })
+}
+
+/// The verdicts, observable and detectable, of a pair of which the staircase sees all within the tolerance, in the
+/// caller's units and in others. What is open is decided where one of the first `sure` is farther than the tolerance
+/// from every pair that is not observable. What is decided is open where both are nearer to one.
+fn by_distance(
+    (observable, detectable): (Verdict, Verdict),
+    pairs: &[Option<Pair>; 2],
+    sure: usize,
+    tolerance: f64,
+) -> (Verdict, Verdict) {
+    use Verdict::{Undecided, Yes};
+    if observable == Undecided || detectable == Undecided {
+        let far = pairs.iter().take(sure).flatten().any(|pair| pair.is_observable_within(tolerance));
+        return if far { (Yes, Yes) } else { (observable, detectable) };
+    }
+    let [one, other] = pairs.each_ref().map(|pair| pair.as_ref().and_then(|pair| pair.hidden_within(tolerance)));
+    match (one, other) {
+        (Some(one), Some(other)) if one.min(other) >= 1.0 - tolerance => (Undecided, Undecided),
+        (Some(_), Some(_)) => (Undecided, detectable),
+        _ => (observable, detectable),
+    }
 }
 
 /// F with zeros where its numbers are no larger than the rounding of those beside them; `None` where there is no such

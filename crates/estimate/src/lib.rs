@@ -49,6 +49,7 @@ pub mod landmarks;
 pub mod likelihood;
 pub mod localizer;
 mod lti;
+mod nearest_unobservable;
 pub mod observability;
 mod observer;
 mod odometry;

@@ -2,7 +2,7 @@
 
 use super::*;
 use estimate::RiccatiLimit;
-use estimate::Verdict::Undecided;
+use estimate::Verdict::{No, Undecided, Yes};
 use estimate::dynamic;
 use lab::UpTo;
 
@@ -40,6 +40,29 @@ fn a_badly_scaled_system_is_said_to_be_that() {
     assert_eq!((frame.observable, frame.detectable, frame.noise.reachable), (Undecided, Undecided, Undecided));
     assert!(frame.badly_scaled && frame.limit == RiccatiLimit::Undecided);
     assert!(!open(with(|p| p.h[0] = [0.0, 1.0].into())).badly_scaled);
+}
+
+/// Neither the turn nor the state beside it gives to the other; the reading is of both.
+#[test]
+fn a_turn_beside_a_state_that_dies_out_is_observed() {
+    let [c, s] = [libm::cos(0.07), libm::sin(0.07)];
+    for (cos, sin, alone) in [(c, s, 0.9), (0.99755, 0.06994, 0.9), (c, s, 0.5)] {
+        let turn = |noise: f64| {
+            open(with(|p| {
+                p.states = 3;
+                p.f = [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, alone]].map(UpTo::from).into();
+                p.h[0] = [1.0, 0.0, 1.0].into();
+                p.v = [[noise, 0.0, 0.0], [0.0, noise, 0.0], [0.0, 0.0, 0.02]].map(UpTo::from).into();
+                p.w[0] = [0.04].into();
+            }))
+        };
+        let frame = turn(1e-3);
+        assert_eq!((frame.observable, frame.detectable), (Yes, Yes), "{cos} {alone}");
+        assert!(frame.limit == RiccatiLimit::FromEveryStart && !frame.badly_scaled, "{cos} {alone}");
+        assert!(frame.eigenvalues.iter().all(|one| !one.fixed), "every one is moved by a gain");
+        let still = turn(0.0);
+        assert_eq!((still.observable, still.noise.reachable, still.noise.unreached.len()), (Yes, No, 2), "{cos}");
+    }
 }
 
 /// Without noise each reading counts for ever, whatever gain is looked at.
