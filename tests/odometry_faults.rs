@@ -195,3 +195,25 @@ fn of_two_wheels_their_size_and_their_distance_are_told_apart() {
         assert!(first.sizes.iter().zip(wanted.1).all(|(size, by)| is_near(size, by - 1.0)), "{n}: {first:?}");
     }
 }
+
+/// Each of three lengths makes up for a part of another: by themselves none comes right.
+#[test]
+fn ranges_and_ways_that_are_off_are_told_together() {
+    for (n, [scale, offset, far]) in [(0, [0.04, 0.0, 0.05]), (1, [-0.03, 0.1, -0.06]), (2, [0.04, -0.1, 0.06])] {
+        let mut log = reads(n, [1.0 / (1.0 + far), 1.0]);
+        for row in &mut log.drive.rows {
+            if let Event::Range { range, .. } = &mut row.event {
+                *range = (1.0 + scale) * *range + offset;
+            }
+        }
+        let first = judged(&log).expect("a verdict").suspects.remove(0);
+        assert_eq!(first.fault, Fault::Lengths, "{n}: {first:?}");
+        for (size, by) in first.sizes.iter().zip([scale, offset, far]) {
+            assert!((size.value - by).abs() < 3.0 * size.sigma, "{n}: {size:?} {by}");
+        }
+        assert!([0, 2].iter().all(|i| first.sizes[*i].sigma < 0.015), "{n}: {first:?}");
+    }
+    // Where one alone is off, it alone is named.
+    let alone = judged(&reads(5, [0.95, 1.0])).expect("a verdict").suspects.remove(0);
+    assert_eq!(alone.fault, Fault::Odometry, "{alone:?}");
+}

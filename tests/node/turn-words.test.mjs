@@ -119,6 +119,21 @@ test('of two wheels the size of both, or size and distance, is said and taken by
   assert.equal(taken(unit), undefined)
 })
 
+test('ranges and ways that are off together are said and taken as three, and undone as one', () => {
+  const read = { ...log, corrections: { ...corrections, driven: [1, 1], swerve: 0.01 } }
+  const size = (/** @type {number} */ value, /** @type {number} */ sigma) => ({ now: 0, value, sigma, end: false })
+  const sizes = [size(0.0217, 0.0036), size(-0.0093, 0.0172), size(-0.0186, 0.0034)]
+  const all = suspect({ fault: 'lengths', name: 'scale', with: 'offset', sizes })
+  assert.equal(
+    sentence(all, false, read),
+    'The robot drives 1.86 ± 0.34 % less far than is read, the ranges read 2.17 ± 0.36 % too long and 0.009 ± 0.017 m ' +
+      'too short: take all three so. Each makes up for a part of another, and none is right by itself.',
+  )
+  const { patch, corrections: taken } = /** @type {any} */ (remedy(all, params, false, /** @type {any} */ (read)))
+  assert.deepEqual([patch.scale, patch.offset, taken.driven], [0.0217, -0.009, [0.9814, 1]])
+  assert.ok(Math.abs(taken.swerve * taken.driven[0] - 0.01) < 1e-12, 'the turn of a metre is of those metres')
+})
+
 test('wheels of two sizes are said by the turn of a metre, its side and the wheel that is larger', () => {
   const said = (/** @type {number} */ value, end = false, base = /** @type {number | null} */ (null)) =>
     sentence(suspect({ fault: 'unequal-wheels', name: null, sizes: [{ now: 0, value, sigma: 0.0012, end }] }), false, {
@@ -149,7 +164,7 @@ test('the turn of a metre is added to that of before, which is counted in its tu
   assert.equal(press({ ...unequal, sizes: [{ ...unequal.sizes[0], end: true }] }), null, 'not found')
 })
 
-test('of courses it is said that an antenna which stands elsewhere looks like a late turn, and they may be left out', () => {
+test('beside courses a late turn may be an antenna that stands elsewhere, and they may be left out', () => {
   const late = (/** @type {any} */ more) =>
     judgement([suspect({ name: 'delayTurn', sizes: [{ now: 0, value: 0.477, sigma: 0.015 }], ...more })])
   const frame = (/** @type {any} */ course, headings = true) =>

@@ -109,10 +109,13 @@ export class MendBar {
     link.addEventListener('click', () => field.focus())
   }
 
-  /** Keeps what was set before a press, for Undo. @param {Patch} patch what it sets @param {Patch} wanted */
-  keep(patch, wanted) {
+  /**
+   * Keeps what was set before a press, for Undo.
+   * @param {Patch} patch what it sets @param {Patch} wanted @param {Corrections} [corrections] before it makes others
+   */
+  keep(patch, wanted, corrections) {
     const before = Object.fromEntries(Object.keys(patch).map((name) => [name, wanted[name]]))
-    this.taken.push({ mended: { press: '', patch }, before: { press: '', patch: before } })
+    this.taken.push({ mended: { press: '', patch }, before: { press: '', patch: before, corrections } })
     this.hide()
   }
 
@@ -128,8 +131,7 @@ export class MendBar {
   take(remedy, { log }, wanted) {
     const { patch, fit } = remedy
     if (fit) return this.fit(remedy, fit, wanted)
-    if (patch) this.keep(patch, wanted)
-    else this.taken.push({ mended: remedy, before: { press: '', corrections: log?.corrections } })
+    this.keep(patch ?? {}, wanted, remedy.corrections ? log?.corrections : undefined)
     this.hide()
     this.box.focus({ preventScroll: true })
     this.wait()
@@ -204,7 +206,7 @@ export class MendBar {
 
   /** @param {Remedy} remedy */
   async mend({ patch, corrections }) {
-    if (patch) this.orders.change(patch)
+    if (patch && Object.keys(patch).length > 0) this.orders.change(patch)
     if (!corrections) return
     this.correcting = true
     try {

@@ -31,6 +31,7 @@ const FAR = 3
 /** Faults that another reading of the files mends. */
 const READ_OTHERWISE = [
   'odometry',
+  'lengths',
   'wheel-size',
   'turn-scale',
   'unequal-wheels',
@@ -55,6 +56,15 @@ const said = (size, times = 1) => Number((rounded(size, times) / times).toPrecis
 function corrected({ fault, landmarks: ids, sizes }, log) {
   if (!log?.corrections) return null
   const { driven, landmarks: moved, ranges, swerve = 0 } = log.corrections
+  if (fault === 'lengths') {
+    if (sizes[0].end || sizes[2].end) return null
+    const [along] = factors([sizes[2]])
+    return {
+      press: 'Take them so',
+      patch: { scale: said(sizes[0], 100), offset: said(sizes[1]) },
+      corrections: { ...log.corrections, driven: [driven[0] * along, driven[1]], swerve: swerve / along },
+    }
+  }
   if (['odometry', 'wheel-size', 'turn-scale'].includes(fault)) {
     if (sizes[0].end) return null
     const [first, second = fault === 'odometry' ? 1 : first] = factors(sizes)

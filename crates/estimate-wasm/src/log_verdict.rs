@@ -17,9 +17,9 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 /** A fault that was looked for in a log. */
 export interface LogSuspect {
-    fault: 'start' | 'clock' | 'bias' | 'scale' | 'odometry' | 'wheel-size' | 'turn-scale' | 'unequal-wheels'
-        | 'antenna' | 'tails' | 'sigma' | 'turned' | 'mirrored' | 'mirrored-bearings' | 'exchanged' | 'landmark-bias'
-        | 'displaced';
+    fault: 'start' | 'clock' | 'bias' | 'scale' | 'odometry' | 'lengths' | 'wheel-size' | 'turn-scale'
+        | 'unequal-wheels' | 'antenna' | 'tails' | 'sigma' | 'turned' | 'mirrored' | 'mirrored-bearings' | 'exchanged'
+        | 'landmark-bias' | 'displaced';
     /**
      * The parameter that mends it; null of the start, and where none does. Of outliers, which a gate refuses, the σ of
      * their sensor, where that is another one behind the gate.

@@ -76,8 +76,8 @@ pub(crate) fn course(files: &[File]) -> Option<&File> {
 /// What is said of such a file.
 pub(crate) fn course_note(file: &File) -> String {
     format!(
-        "{}: its course is read as the robot\u{2019}s heading. It is that where the antenna stands above the point about \
-         which the robot turns; elsewhere it runs ahead of the robot in each turn, or behind.",
+        "{}: its course is read as the robot\u{2019}s heading. It is that where the antenna stands above the point \
+         about which the robot turns; elsewhere it runs ahead of the robot in each turn, or behind.",
         file.name()
     )
 }

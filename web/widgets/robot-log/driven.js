@@ -56,6 +56,18 @@ export function odometrySentence(sizes, log, own = false) {
   return `${reads}: take ${both}. ${same} and a base ${times(along / about)} as long as was said do the same.`
 }
 
+/** Ranges and ways that are off together. @param {Size[]} sizes the ranges’ scale and offset, and the ways’ share */
+export function lengthsSentence([scale, offset, far]) {
+  if (far.end || scale.end) return 'Neither the ranges nor the ways are those of the robot: mend their units.'
+  const [ranges, metres] = [scale, offset].map((size) => ({ ...size, value: Math.abs(size.value) }))
+  const [long, more] = [scale, offset].map(({ value }) => (value > 0 ? 'long' : 'short'))
+  return (
+    `The robot drives ${much(far, ['farther', 'less far'])} than is read, the ranges read ` +
+    `${plusMinus(ranges, 100)} % too ${long} and ${plusMinus(metres)} m too ${more}: take all three so. ` +
+    'Each makes up for a part of another, and none is right by itself.'
+  )
+}
+
 /** Speeds and turn rates of two wheels that read too much or too little by one share. @param {Size[]} sizes */
 export function wheelsSentence([size]) {
   if (size.end) return 'The speeds of the wheels are not those of the robot: mend their unit.'

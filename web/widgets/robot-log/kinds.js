@@ -29,6 +29,7 @@ const KINDS = {
   mirrored: 'the sign of the turns',
   'mirrored-bearings': 'the sign of the bearings',
   odometry: 'a scale of the odometry',
+  lengths: 'the lengths of ranges and ways together',
   'wheel-size': 'the size of both wheels',
   'turn-scale': 'a scale of the turn rates',
   'unequal-wheels': 'wheels of two sizes',

@@ -2,7 +2,15 @@
 
 import { fixed, metres } from '../../draw/numbers.js'
 import { antennaSentence, ofAStep } from './antenna.js'
-import { DILUTED, odometrySentence, byNoise, turnScaleSentence, unequalSentence, wheelsSentence } from './driven.js'
+import {
+  DILUTED,
+  odometrySentence,
+  byNoise,
+  lengthsSentence,
+  turnScaleSentence,
+  unequalSentence,
+  wheelsSentence,
+} from './driven.js'
 import { HIDDEN, bridged, cutsFirst } from './gaps.js'
 import { MIRRORED_BEARINGS, mirroredSentence } from './mirrored.js'
 import { NEAR, named } from './named.js'
@@ -198,6 +206,7 @@ export function sentence(suspect, truth, log = null) {
   if (fault === 'displaced') return displaced(landmarks ?? [], sizes, log)
   if (fault === 'landmark-bias') return biased(landmarks ?? [], sizes, log)
   if (fault === 'turn-scale') return turnScaleSentence(sizes, log)
+  if (fault === 'lengths') return lengthsSentence(sizes)
   if (fault === 'wheel-size') return wheelsSentence(sizes)
   if (fault === 'unequal-wheels') return unequalSentence(sizes, log)
   if (fault === 'antenna') return antennaSentence(suspect)

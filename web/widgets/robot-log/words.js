@@ -63,8 +63,8 @@ export function unread(frame) {
 export const expecting = (frame, expected) => (listens(frame) ? unread(frame) : expected)
 
 const COURSE =
-  ' The headings are courses of the antenna: where it stands off the point about which the robot turns, that looks the ' +
-  'same. Without them the positions tell which it is.'
+  ' The headings are courses of the antenna: where it stands off the point about which the robot turns, that looks ' +
+  'the same. Without them the positions tell which it is.'
 
 /** @param {Frame} frame */
 export function verdict(frame) {

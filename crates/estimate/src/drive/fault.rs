@@ -13,6 +13,8 @@ pub enum Fault {
     Scale,
     /// The distances and turns of odometry read too much or too little by a share.
     Odometry,
+    /// The scale and the offset of the ranges are wrong, and so are the ways that are driven.
+    Lengths,
     /// The speed and the turn rate of two wheels read too much or too little by the same share.
     WheelSize,
     /// Turn rates read too much or too little by a share.
@@ -48,6 +50,7 @@ impl Fault {
             Self::Bias => "bias",
             Self::Scale => "scale",
             Self::Odometry => "odometry",
+            Self::Lengths => "lengths",
             Self::WheelSize => "wheel-size",
             Self::TurnScale => "turn-scale",
             Self::UnequalWheels => "unequal-wheels",

@@ -72,6 +72,25 @@ impl Event {
         matches!(self, Self::Velocity { .. } | Self::Speed { .. })
     }
 
+    /// Whether a row says that the robot drives.
+    pub(crate) fn drives(&self) -> bool {
+        self.drives_and_turns() || matches!(self, Self::Speed { v } if *v != 0.0)
+    }
+
+    /// Whether a row reads a way and a turn, as two wheels do, and the robot drives.
+    pub(crate) fn drives_and_turns(&self) -> bool {
+        matches!(self, Self::Odometry { distance: way, .. } | Self::Velocity { v: way, .. } if *way != 0.0)
+    }
+
+    /// Whether a row says that the robot turns.
+    pub(crate) fn turns(&self) -> bool {
+        matches!(
+            self,
+            Self::Odometry { turn: rate, .. } | Self::Velocity { omega: rate, .. } | Self::TurnRate { omega: rate }
+                if *rate != 0.0
+        )
+    }
+
     /// Whether the row reads a turn rate that is held.
     pub fn has_turn_rate(&self) -> bool {
         matches!(self, Self::Velocity { .. } | Self::TurnRate { .. })

@@ -79,6 +79,7 @@ impl Suspect {
         match (self.fault, self.number, self.sensor) {
             (Fault::Mirrored, ..) => Tried::Mirrored,
             (Fault::MirroredBearings, ..) => Tried::MirroredBearings,
+            (Fault::Lengths, ..) => Tried::Lengths,
             (Fault::WheelSize, ..) => Tried::WheelSize,
             (Fault::TurnScale, ..) => Tried::TurnScale,
             (Fault::UnequalWheels, ..) => Tried::UnequalWheels,

@@ -4,7 +4,7 @@ use crate::drive::course::Course;
 use crate::drive::evidence::Trial;
 use crate::drive::fault::Fault;
 use crate::drive::fitted::Fitted;
-use crate::drive::row::{Drive, Event};
+use crate::drive::row::Drive;
 use crate::drive::sensor::Sensor;
 use crate::drive::settings::{MAX_ARM, MAX_DELAY};
 use alloc::vec::Vec;
@@ -16,6 +16,8 @@ pub(crate) enum Tried {
     Number(Fitted),
     /// Scale and offset of the ranges together.
     Ruler,
+    /// Scale and offset of the ranges, and the share of the ways that are driven: each makes up for a part of another.
+    Lengths,
     /// The delays of several sensors by the same, as of one receiver: which of [`READINGS`].
     Together([bool; 3]),
     Outliers(Sensor),
@@ -76,15 +78,17 @@ impl Tried {
         // A σ of 0 has no logarithm.
         let landmarks = drive.landmarks.len() > 1 && s.sightings && (has.range || has.bearing);
         let read = READINGS.map(|number| numbers.contains(&number));
-        let turning = drive.rows.iter().any(|row| turns(&row.event));
+        let turning = drive.rows.iter().any(|row| row.event.turns());
         let mounted = turning && has.fix && s.fixes;
         let placed = has.fix && s.fixes || s.sightings && (has.range || has.bearing);
+        let ruled = RULER.iter().all(|number| numbers.contains(number));
         let others = [
             (Self::Odometry(1 + usize::from(turning)), placed && drive.motion.is_odometry()),
             (Self::Together(read), read.iter().filter(|it| **it).count() > 1),
-            (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
+            (Self::Ruler, ruled),
+            (Self::Lengths, ruled && drive.rows.iter().any(|row| row.event.drives())),
             (Self::TurnScale, turning && !drive.motion.is_odometry()),
-            (Self::UnequalWheels, placed && drive.rows.iter().any(|row| by_wheels(&row.event))),
+            (Self::UnequalWheels, placed && drive.rows.iter().any(|row| row.event.drives_and_turns())),
             // Straight on it looks like a delay.
             (Self::Antenna(None), mounted),
             (Self::Antenna(Some(Fitted::DelayFix)), mounted),
@@ -122,6 +126,7 @@ impl Tried {
             Self::Number(Fitted::Scale | Fitted::SpeedScale) | Self::Ruler => Fault::Scale,
             Self::Number(Fitted::BearingOffset | Fitted::HeadingOffset) => Fault::Turned,
             Self::Odometry(_) => Fault::Odometry,
+            Self::Lengths => Fault::Lengths,
             Self::WheelSize => Fault::WheelSize,
             Self::TurnScale => Fault::TurnScale,
             Self::UnequalWheels => Fault::UnequalWheels,
@@ -155,7 +160,7 @@ impl Tried {
     /// How many numbers are freed.
     pub fn freedom(self) -> usize {
         match self {
-            Self::Start => 3,
+            Self::Start | Self::Lengths => 3,
             Self::Ruler | Self::Displaced => 2,
             Self::Odometry(count) => count,
             Self::Antenna(delay) => 2 + usize::from(delay.is_some()),
@@ -169,7 +174,7 @@ impl Tried {
     pub fn numbers(self) -> Vec<Fitted> {
         match self {
             Self::Number(number) => alloc::vec![number],
-            Self::Ruler => RULER.to_vec(),
+            Self::Ruler | Self::Lengths => RULER.to_vec(),
             Self::Together(which) => READINGS.into_iter().zip(which).filter(|it| it.1).map(|it| it.0).collect(),
             _ => Vec::new(),
         }
@@ -185,7 +190,9 @@ impl Tried {
             Self::Together(_) | Self::WheelSize | Self::TurnScale | Self::UnequalWheels => return alloc::vec![0.0],
             _ => {}
         }
-        self.numbers().iter().map(|number| number.get(&place.settings)).collect()
+        let mut first: Vec<f64> = self.numbers().iter().map(|number| number.get(&place.settings)).collect();
+        first.resize(self.freedom(), 0.0);
+        first
     }
 
     /// The replay in which they are `at`.
@@ -213,7 +220,12 @@ impl Tried {
                 let now = number.get(&place.settings);
                 number.set(&mut place.settings, now + by);
             }),
-            _ => self.numbers().iter().zip(at).for_each(|(number, at)| number.set(&mut place.settings, *at)),
+            _ => {
+                self.numbers().iter().zip(at).for_each(|(number, at)| number.set(&mut place.settings, *at));
+                if let (Self::Lengths, Some(share)) = (self, at.last()) {
+                    place.otherwise.driven[0] = *share;
+                }
+            }
         }
         place
     }
@@ -236,7 +248,8 @@ impl Tried {
             return [ARM, ARM, late][..self.freedom()].to_vec();
         }
         let step = |number: &Fitted| if number.is_delay() { late } else { number.fine() };
-        self.numbers().iter().take(self.freedom()).map(step).collect()
+        let ways = (self == Self::Lengths).then_some(SHARE);
+        self.numbers().iter().take(self.freedom()).map(step).chain(ways).collect()
     }
 
     /// Where the first is sought beside where it is: a scale at factors half as large again each, an eighth to eight.
@@ -267,24 +280,7 @@ impl Tried {
             true => [(at - most).max(-MAX_DELAY), (at + most).min(MAX_DELAY)],
             false => number.bounds(most),
         };
-        self.numbers().iter().zip(first).map(bound).collect()
-    }
-}
-
-/// Whether a row reads a way and a turn, as two wheels do.
-fn by_wheels(event: &Event) -> bool {
-    match event {
-        Event::Odometry { distance: way, .. } | Event::Velocity { v: way, .. } => *way != 0.0,
-        _ => false,
-    }
-}
-
-/// Whether a row says that the robot turns.
-fn turns(event: &Event) -> bool {
-    match event {
-        Event::Odometry { turn: rate, .. } | Event::Velocity { omega: rate, .. } | Event::TurnRate { omega: rate } => {
-            *rate != 0.0
-        }
-        _ => false,
+        let ways = (self == Self::Lengths).then_some(SHARES);
+        self.numbers().iter().zip(first).map(bound).chain(ways).collect()
     }
 }

@@ -79,6 +79,14 @@ pub(crate) fn sifted(drive: &Drive, found: &mut Vec<(Suspect, Trial)>, scope: &S
     let pair = |it: &Suspect| it.with.is_some() && it.fault == Fault::Scale;
     let alone = |it: &Suspect| it.with.is_none() && matches!(it.number, Some(Fitted::Scale | Fitted::Offset));
     together(found, chance, pair, alone);
+    // What is left of one length the others make up for: all three where they tell more than any does by itself.
+    let length = |it: &Suspect| match it.fault {
+        Fault::Scale | Fault::Odometry => true,
+        fault => fault == Fault::Bias && it.number == Some(Fitted::Offset),
+    };
+    if found.iter().any(|(it, _)| it.fault == Fault::Lengths) {
+        together(found, 2.0 * chance, |it| it.fault == Fault::Lengths, length);
+    }
     // At a speed that hardly changes a bias of the turn rate looks the same as wheels of two sizes.
     let bias = |it: &Suspect| it.number == Some(Fitted::TurnBias);
     if found.iter().any(|(it, _)| bias(it)) {
