@@ -126,8 +126,8 @@ test('ranges and ways that are off together are said and taken as three, and und
   const all = suspect({ fault: 'lengths', name: 'scale', with: 'offset', sizes })
   assert.equal(
     sentence(all, false, read),
-    'The robot drives 1.86 ± 0.34 % less far than is read, the ranges read 2.17 ± 0.36 % too long and 0.009 ± 0.017 m ' +
-      'too short: take all three so. Each makes up for a part of another, and none is right by itself.',
+    'The robot drives 1.86 ± 0.34 % less far than is read, the ranges read 2.17 ± 0.36 % too long and 0.009 ± 0.017 ' +
+      'm too short: take all three so. Each makes up for a part of another, and none is right by itself.',
   )
   const { patch, corrections: taken } = /** @type {any} */ (remedy(all, params, false, /** @type {any} */ (read)))
   assert.deepEqual([patch.scale, patch.offset, taken.driven], [0.0217, -0.009, [0.9814, 1]])
