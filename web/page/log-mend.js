@@ -5,7 +5,7 @@
 
 import { button, part } from '../draw/dom.js'
 import { bentBy, mostAreOut, rounded, shutOut, shutWords, untold, vague } from './log-fit-words.js'
-import { GATE, gated, remedies } from './log-remedy.js'
+import { GATE, gated, isOfFiles, remedies } from './log-remedy.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
@@ -90,12 +90,10 @@ export class MendBar {
     this.words.textContent = this.told
     this.told = ''
     if (judgement) this.hold('')
-    const all = remedies(judgement, frame)
-    for (const remedy of all)
+    for (const remedy of remedies(judgement, frame))
       if (!remedy.corrections || this.orders.may())
         button(document, this.presses, remedy.press, () => this.take(remedy, frame, wanted), 'button')
-    const [first = null] = judgement?.suspects ?? []
-    if (first && first.standing !== 'cleared' && !first.own && all.length === 0) this.toFiles()
+    if (judgement && isOfFiles(judgement, frame)) this.toFiles()
   }
 
   /** A sign, a unit or a clock is the reader's to say, beside the file that has it. */
@@ -106,7 +104,11 @@ export class MendBar {
     const link = /** @type {HTMLAnchorElement} */ (part(document, this.presses, 'a', ''))
     link.href = '#log-files'
     link.textContent = 'See how the files are read'
-    link.addEventListener('click', () => field.focus())
+    // A jump to a place that takes no focus would leave the keys with the page.
+    link.addEventListener('click', (event) => {
+      event.preventDefault()
+      field.focus()
+    })
   }
 
   /**

@@ -199,6 +199,15 @@ function mending(judgement, { params, truth, log }) {
   return either([...suspects.map((suspect) => remedy(suspect, params, Boolean(truth), log)), ...without])
 }
 
+/**
+ * Whether what a judgement names, or a part of it, is mended where the files are read alone: a sign, a unit, a clock.
+ * @param {LogJudgement} judgement @param {Frame} frame
+ */
+export const isOfFiles = (judgement, { params, truth, log }) =>
+  [...named(judgement, log), ...likeliest(judgement)].some(
+    (suspect) => !suspect.own && !remedy(suspect, params, Boolean(truth), log),
+  )
+
 /** One that mends it, or one of two. @param {(Remedy | null)[]} all @returns {Remedy[]} */
 const either = (all) =>
   all.flatMap((one, i) => {
