@@ -4,7 +4,7 @@ import { fixed } from '../draw/numbers.js'
 import { isStair, ownStep } from '../widgets/robot-log/sized.js'
 import { cutsFirst } from '../widgets/robot-log/gaps.js'
 import { hides } from '../widgets/robot-log/sigmas.js'
-import { likeliest, named } from '../widgets/robot-log/named.js'
+import { told } from '../widgets/robot-log/named.js'
 import { kind } from '../widgets/robot-log/kinds.js'
 import { percent } from '../widgets/robot-log/words.js'
 import { grouped } from './log-likelihood.js'
@@ -40,7 +40,7 @@ export const rounded = (numbers) =>
  * @param {import('estimate-wasm').LogJudgement | null} judgement
  */
 export function mendBefore(judgement) {
-  const [fault] = judgement ? [...named(judgement), ...likeliest(judgement)] : []
+  const [fault] = judgement ? told(judgement) : []
   if (fault && cutsFirst(judgement?.gaps ?? []))
     return 'No motion is read for a while, as the verdict says: cut the log there before, or σ and delays mean nothing.'
   // Behind a gate outliers have a σ of their own, and Fit finds that; what seems to be one may be a landmark elsewhere.

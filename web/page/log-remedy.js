@@ -7,7 +7,7 @@ import { cutsFirst, longest } from '../widgets/robot-log/gaps.js'
 import { rounded } from '../widgets/robot-log/sized.js'
 import { wrapped } from '../widgets/robot-log/start.js'
 import { counted, unsettled } from '../widgets/robot-log/unsettled.js'
-import { likeliest, mayBeCourse, named } from '../widgets/robot-log/named.js'
+import { mayBeCourse, told } from '../widgets/robot-log/named.js'
 import { apart } from '../widgets/robot-log/noise.js'
 import { bySensor } from './log-numbers.js'
 
@@ -189,7 +189,7 @@ export function remedies(judgement, frame) {
  */
 function mending(judgement, { params, truth, log }) {
   // What may be no fault has no press.
-  const suspects = judgement ? [...named(judgement, log), ...likeliest(judgement)].filter(({ own }) => !own) : []
+  const suspects = judgement ? told(judgement, log).filter(({ own }) => !own) : []
   const together = judgement ? unsettled(judgement, params) : []
   // What is said without the gate is mended without it.
   const off = judgement?.ungated ? { ungated: true } : {}
@@ -204,9 +204,7 @@ function mending(judgement, { params, truth, log }) {
  * @param {LogJudgement} judgement @param {Frame} frame
  */
 export const isOfFiles = (judgement, { params, truth, log }) =>
-  [...named(judgement, log), ...likeliest(judgement)].some(
-    (suspect) => !suspect.own && !remedy(suspect, params, Boolean(truth), log),
-  )
+  told(judgement, log).some((suspect) => !suspect.own && !remedy(suspect, params, Boolean(truth), log))
 
 /** One that mends it, or one of two. @param {(Remedy | null)[]} all @returns {Remedy[]} */
 const either = (all) =>

@@ -194,7 +194,7 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             }
             said.or_else(|| by_rate(&numbers).and_then(usual))
         }
-        // The first of May, or the fifth of January: it is asked.
+        // The first of May, or the fifth of January: where both can be meant, it is asked.
         Quantity::Day => match stamp::orders(lines.iter().map(|line| line.fields[column].text)).as_slice() {
             [one] => usual(one),
             _ => None,

@@ -8,7 +8,7 @@
 export const NEAR = 3
 
 /** What is likeliest where nothing mends by itself. @param {LogJudgement} judgement */
-export const likeliest = ({ suspects: [first], other, thinning }) => (other && first && !thinning ? [first] : [])
+const likeliest = ({ suspects: [first], other, thinning }) => (other && first && !thinning ? [first] : [])
 
 /**
  * Whether an antenna that stands elsewhere may be what is named: its course runs ahead of the robot in each turn, as a
@@ -53,3 +53,9 @@ export function named({ suspects, other, thinning }, log = null) {
   const before = [first, rival].filter(({ fault }) => mended(fault, log).some(([one]) => one === id))
   return before.length === 1 && rival.landmarks?.[0] === id ? before : [first, rival]
 }
+
+/**
+ * What a verdict names, or what is likeliest where nothing mends by itself.
+ * @param {LogJudgement} judgement @param {Log | null} [log]
+ */
+export const told = (judgement, log = null) => [...named(judgement, log), ...likeliest(judgement)]

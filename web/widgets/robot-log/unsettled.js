@@ -1,14 +1,11 @@
 /** Several σ that are wrong, or that nobody has said of a log: they are found together. */
 
 import { cutsFirst } from './gaps.js'
-import { likeliest, named } from './named.js'
+import { told } from './named.js'
 import { alike } from './noise.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
 /** @typedef {import('estimate-wasm').Parameter[]} Known */
-
-/** What a verdict names, or what is likeliest where nothing mends by itself. @param {LogJudgement} judgement */
-const told = (judgement) => [...named(judgement), ...likeliest(judgement)]
 
 /** The sensor that has a σ. @type {Record<string, string>} */
 const SENSOR = {
